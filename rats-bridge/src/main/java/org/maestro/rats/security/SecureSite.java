@@ -160,7 +160,8 @@ public final class SecureSite {
     write(
         SiteSecurity.RULES,
         CallRules.without(ids, PrivateFiles.text(directory.resolve(SiteSecurity.RULES))));
-    write(users.without(ids), authority);
+    SiteUsers left = users.without(ids);
+    write(left, authority, personsAsBefore(left));
     ids.forEach(id -> PrivateFiles.delete(directory.resolve(SiteSecurity.ofUser(id))));
   }
 
@@ -178,6 +179,13 @@ public final class SecureSite {
   }
 
   private void write(SiteUsers users, CertificateAuthority authority) {
+    write(users, authority, persons(users));
+  }
+
+  /**
+   * @param persons found out before anything is written, as there may be something wrong with them
+   */
+  private void write(SiteUsers users, CertificateAuthority authority, String persons) {
     Map<String, String> passwords = new LinkedHashMap<>();
     for (String id : users.all()) {
       passwords.put(id, user(id, authority));
@@ -189,12 +197,13 @@ public final class SecureSite {
     String storePassword = broker(users, authority);
     new MosquittoFiles(users, directory).texts(passwords).forEach(this::write);
     new ArtemisFiles(users, directory).texts(passwords, storePassword).forEach(this::write);
-    write(SiteSecurity.PERSONS, persons(users));
+    write(SiteSecurity.PERSONS, persons);
     write(SiteSecurity.USERS, users.text());
   }
 
   /** What the console keeps of the passwords of persons: those in their files, made or chosen. */
   private String persons(SiteUsers users) {
+    Map<String, String> former = formerHashes();
     StringBuilder lines = new StringBuilder();
     for (String id : users.persons().keySet()) {
       Path file = personal(id);
@@ -207,9 +216,38 @@ public final class SecureSite {
             "The password in %s has %d characters; write one of at least %d there, or remove the file to have one made."
                 .formatted(file, password.length(), FEWEST_CHARACTERS));
       }
-      lines.append(id).append(':').append(PasswordHashes.slow(password)).append('\n');
+      String before = former.getOrDefault(id, "");
+      // Another one would be the same password to her, and end her sessions.
+      lines.append(
+          line(id, PasswordHashes.isOf(password, before) ? before : PasswordHashes.slow(password)));
     }
     return lines.toString();
+  }
+
+  /**
+   * The same as it was, whatever stands in the files now: who is taken out does not wait for it.
+   */
+  private String personsAsBefore(SiteUsers users) {
+    StringBuilder lines = new StringBuilder();
+    formerHashes()
+        .forEach(
+            (id, hash) -> {
+              if (users.persons().containsKey(id)) {
+                lines.append(line(id, hash));
+              }
+            });
+    return lines.toString();
+  }
+
+  private static String line(String id, String hash) {
+    return id + ":" + hash + "\n";
+  }
+
+  private Map<String, String> formerHashes() {
+    Path file = directory.resolve(SiteSecurity.PERSONS);
+    return Files.exists(file)
+        ? new TreeMap<>(SitePersons.hashes(PrivateFiles.text(file)))
+        : Map.of();
   }
 
   private Path personal(String id) {

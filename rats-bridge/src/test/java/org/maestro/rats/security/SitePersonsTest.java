@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
@@ -53,9 +55,6 @@ class SitePersonsTest {
     assertThat(persons.isPassword("alice", password("alice"))).isTrue();
     assertThat(persons.isPassword("alice", password("screen"))).isFalse();
     assertThat(persons.isPassword("alice", "")).isFalse();
-    assertThat(persons.isProven("alice", password("alice"))).isTrue();
-    assertThat(persons.isProven("alice", password("screen"))).isFalse();
-    assertThat(persons.isProven("screen", password("screen"))).as("nobody has asked").isFalse();
     assertThat(persons.isPassword("nobody", password("alice"))).isFalse();
   }
 
@@ -73,11 +72,13 @@ class SitePersonsTest {
   void whatTheFilesSayIsSoWithTheNextQuestion() {
     SitePersons persons = persons();
     String former = password("alice");
-    assertThat(persons.isPassword("alice", former)).isTrue();
+    String identity = persons.identity("alice").orElseThrow();
+    with(Map.of());
+    assertThat(persons.identity("alice")).as("the same password").contains(identity);
     SecureSite.in(directory).renew(List.of("alice"));
-    assertThat(persons.isProven("alice", former)).isFalse();
     assertThat(persons.isPassword("alice", former)).isFalse();
     assertThat(persons.isPassword("alice", password("alice"))).isTrue();
+    assertThat(persons.identity("alice")).isPresent().isNotEqualTo(Optional.of(identity));
     with(Map.of("alice", Role.VIEWER));
     assertThat(persons.role("alice")).contains(Role.VIEWER);
     assertThat(persons.role("screen")).contains(Role.VIEWER);
@@ -104,6 +105,28 @@ class SitePersonsTest {
     SitePersons persons = persons();
     Files.writeString(directory.resolve("users.txt"), "nonsense\n");
     assertThat(persons.role("alice")).contains(Role.OPERATOR);
+  }
+
+  /** It may have been the right to read it that was missing, and no file has changed since. */
+  @Test
+  void filesThatCanBeUsedAgainAreReadAgain() throws Exception {
+    SitePersons persons = persons();
+    Path passwords = directory.resolve("console/passwords");
+    Files.setPosixFilePermissions(passwords, PosixFilePermissions.fromString("rw-r--r--"));
+    Path users = directory.resolve("users.txt");
+    Files.writeString(users, Files.readString(users).replace("operator alice\n", ""));
+    assertThat(persons.role("alice")).contains(Role.OPERATOR);
+    Files.setPosixFilePermissions(passwords, PosixFilePermissions.fromString("rw-------"));
+    assertThat(persons.role("alice")).isEmpty();
+  }
+
+  @Test
+  void whoIsTakenOutDoesNotWaitForThePasswordOfAnother() throws Exception {
+    PrivateFiles.write(file("screen/console-password"), "short\n");
+    String hers = persons().identity("screen").orElseThrow();
+    SecureSite.in(directory).revoke(List.of("alice"));
+    assertThat(persons().role("alice")).isEmpty();
+    assertThat(persons().identity("screen")).contains(hers);
   }
 
   @Test

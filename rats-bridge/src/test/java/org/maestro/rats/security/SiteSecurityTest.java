@@ -318,7 +318,7 @@ class SiteSecurityTest {
   void aWrongFileLeavesTheRulesAndSaysSoOnceWithItsLine() throws IOException {
     SecuredSite.files(directory);
     CallPolicy rules = SiteSecurity.open(directory).rules();
-    try (LogLines log = LogLines.of(SiteRules.class)) {
+    try (LogLines log = LogLines.of(Reread.class)) {
       rules("allow lamp door wave\nallow lamp dor *");
       for (int question = 0; question < 3; question++) {
         assertThat(rules.allows("cca", "door", "wave")).isTrue();

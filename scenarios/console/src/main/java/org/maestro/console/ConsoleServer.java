@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Semaphore;
 import java.util.stream.Collectors;
 import javax.net.ssl.SSLContext;
 import org.eclipse.jetty.server.HttpConfiguration;
@@ -29,13 +30,16 @@ import org.maestro.console.api.Api;
 import org.maestro.console.api.Operation;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.rats.security.Role;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The server of a console: it looks at each request, lets it in, reads it, has an operation answer
  * it, and says why where none does.
  */
 final class ConsoleServer implements AutoCloseable {
-  private static final long MOST_BYTES = 1_000_000;
+  private static final Logger LOG = LoggerFactory.getLogger(ConsoleServer.class);
+  private static final int MOST_STRANGERS = 4;
   private static final int MOST_THREADS = 24;
   private static final int FEWEST_THREADS = 4;
   private static final Optional<Role> VIEWER = Optional.of(Role.VIEWER);
@@ -52,6 +56,7 @@ final class ConsoleServer implements AutoCloseable {
   private final List<Operation> operations;
   private final Metrics metrics;
   private final EventStreams streams = new EventStreams();
+  private final Semaphore strangers = new Semaphore(MOST_STRANGERS);
   private final Javalin server;
 
   private ConsoleServer(
@@ -104,7 +109,7 @@ final class ConsoleServer implements AutoCloseable {
     config.startup.showJavalinBanner = false;
     config.startup.showOldJavalinVersionWarning = false;
     config.startup.startupWatcherEnabled = false;
-    config.http.maxRequestSize = MOST_BYTES;
+    config.http.maxRequestSize = ReadRequest.MOST_BYTES;
     config.http.prefer405over404 = true;
     config.jetty.threadPool = threads();
     config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
@@ -167,7 +172,7 @@ final class ConsoleServer implements AutoCloseable {
         at,
         client -> {
           Visit visit = Objects.requireNonNull(client.ctx().attribute(VISIT));
-          streams.serve(client, source, visit.lasts());
+          streams.serve(client, source, visit);
         });
   }
 
@@ -207,8 +212,9 @@ final class ConsoleServer implements AutoCloseable {
     long begin = System.nanoTime();
     CompletableFuture<?> answer;
     try {
-      Visit visit = entrance.admit(context, operation.needs());
-      answer = operation.answer(ReadRequest.of(context, operation, visit));
+      Visit visit = entrance.admit(context, operation);
+      answer = operation.answer(read(context, operation, visit));
+      visit.person().ifPresent(person -> note(person, context, operation));
     } catch (RefusalException | DeniedException e) {
       answer = CompletableFuture.failedFuture(e);
     }
@@ -228,6 +234,33 @@ final class ConsoleServer implements AutoCloseable {
               operation.id(), context.statusCode(), Duration.ofNanos(System.nanoTime() - begin));
           return null;
         });
+  }
+
+  /**
+   * Reads a request. Whoever is not known may hold a few threads at most by sending slowly.
+   *
+   * @throws RefusalException when it is otherwise than the operation says
+   */
+  private ReadRequest read(Context context, Operation operation, Visit visit) {
+    boolean isStranger = operation.body().isPresent() && visit.role().isEmpty();
+    if (isStranger && !strangers.tryAcquire()) {
+      throw RefusalException.outside("Too many sign in just now; try again in a moment.");
+    }
+    try {
+      return ReadRequest.of(context, operation, visit);
+    } finally {
+      if (isStranger) {
+        strangers.release();
+      }
+    }
+  }
+
+  /** Who has changed what, for who keeps the site. */
+  private static void note(String person, Context context, Operation operation) {
+    if (operation.needs().filter(role -> role != Role.VIEWER).isPresent()) {
+      LOG.info(
+          "{} asks for {} at {} from {}", person, operation.id(), context.path(), context.ip());
+    }
   }
 
   /** What can be done at a path. */
@@ -258,7 +291,7 @@ final class ConsoleServer implements AutoCloseable {
 
   /** At which it is reached from this machine. */
   URI uri() {
-    String host = serving.isEverywhere() ? Serving.LOOPBACK : serving.host();
+    String host = serving.isEverywhere() ? Serving.LOOPBACK : Serving.inAddress(serving.host());
     return URI.create(serving.scheme() + "://" + host + ":" + server.port());
   }
 

@@ -7,6 +7,7 @@ import org.maestro.console.access.Access;
 import org.maestro.console.access.DeniedException;
 import org.maestro.console.access.Presented;
 import org.maestro.console.access.Visit;
+import org.maestro.console.api.Operation;
 import org.maestro.rats.security.Role;
 
 /** The way in by HTTP: what a request brings, and what a browser is to bring from then on. */
@@ -27,13 +28,23 @@ final class Entrance {
    * @throws DeniedException when she may not
    */
   Visit admit(Context context, Optional<Role> needed) {
+    return admit(context, needed, false);
+  }
+
+  /** The same for an operation. */
+  Visit admit(Context context, Operation operation) {
+    return admit(context, operation.needs(), operation.urgent());
+  }
+
+  private Visit admit(Context context, Optional<Role> needed, boolean urgent) {
     return access.admit(
         new Presented(
             context.ip(),
             Optional.ofNullable(context.header("Authorization")),
             Optional.ofNullable(context.cookie(cookie(context))),
             Optional.ofNullable(context.header("X-CSRF-Token")),
-            !READING.contains(context.method().name())),
+            !READING.contains(context.method().name()),
+            urgent),
         needed);
   }
 

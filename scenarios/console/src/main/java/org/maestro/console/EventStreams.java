@@ -2,10 +2,13 @@ package org.maestro.console;
 
 import io.javalin.http.sse.SseClient;
 import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.maestro.console.access.Visit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -16,8 +19,13 @@ import org.slf4j.LoggerFactory;
 final class EventStreams implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(EventStreams.class);
   private static final int END_SECONDS = 2;
+
+  /** So that one leaves room for others. */
+  private static final int MOST_OF_A_PERSON = 24;
+
   private static final Duration BREATH = Duration.ofSeconds(10);
 
+  private final Map<String, Integer> listening = new ConcurrentHashMap<>();
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
           task -> {
@@ -29,17 +37,38 @@ final class EventStreams implements AutoCloseable {
   /**
    * Tells the client what happens there, until either side ends it.
    *
-   * @param lasts whether she may hear it still
+   * @param visit hers, which has to last
    */
-  void serve(SseClient client, EventSource events, BooleanSupplier lasts) {
+  void serve(SseClient client, EventSource events, Visit visit) {
     EventQueue queue = new EventQueue();
     client.keepAlive();
+    if (!enter(visit)) {
+      client.sendEvent("full", "You listen in too many pages already; close another one.");
+      client.close();
+      return;
+    }
     client.onClose(
         () -> {
           queue.end();
           events.leave(queue);
+          leave(visit);
         });
-    events.listen(queue, () -> threads.execute(() -> send(client, queue, lasts)));
+    events.listen(queue, () -> threads.execute(() -> send(client, queue, visit.lasts())));
+  }
+
+  private boolean enter(Visit visit) {
+    return visit.person().isEmpty()
+        || listening.merge(visit.person().get(), 1, Integer::sum) <= MOST_OF_A_PERSON
+        || leave(visit);
+  }
+
+  /** Returns that she is not there any more. */
+  private boolean leave(Visit visit) {
+    visit
+        .person()
+        .ifPresent(
+            person -> listening.computeIfPresent(person, (name, n) -> n == 1 ? null : n - 1));
+    return false;
   }
 
   private static void send(SseClient client, EventQueue queue, BooleanSupplier lasts) {

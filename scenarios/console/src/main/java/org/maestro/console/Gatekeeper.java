@@ -41,8 +41,7 @@ final class Gatekeeper {
     if (!serving.names().contains(name(host))) {
       return Optional.of(
           serving.security().isPresent()
-              ? "The console answers under %s alone; ./maestro secure DIR --host NAME adds a name."
-                  .formatted(String.join(", ", serving.names()))
+              ? "The console does not answer under this name; ./maestro secure DIR --host NAME adds it."
               : "The console answers on this machine alone: ask for 127.0.0.1 or localhost.");
     }
     Optional<String> origin = Optional.ofNullable(context.header("Origin"));
@@ -52,7 +51,8 @@ final class Gatekeeper {
             .isPresent()) {
       return Optional.of("The request comes from a page of another site, which may ask nothing.");
     }
-    return Optional.empty();
+    return Optional.ofNullable(context.header("X-HTTP-Method-Override"))
+        .map(other -> "X-HTTP-Method-Override is not heeded; send the method itself.");
   }
 
   /** The host without its port. */

@@ -5,8 +5,12 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import io.javalin.http.ContentTooLargeResponse;
 import io.javalin.http.Context;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +41,9 @@ record ReadRequest(
       new ObjectMapper()
           .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .enable(DeserializationFeature.FAIL_ON_READING_DUP_TREE_KEY);
+  static final int MOST_BYTES = 1_000_000;
+  private static final int PART_BYTES = 8_192;
+  private static final Duration WITHIN = Duration.ofSeconds(10);
   private static final String JSON = "application/json";
 
   /**
@@ -88,13 +95,32 @@ record ReadRequest(
       throw RefusalException.badInput("What is sent has to be JSON: Content-Type " + JSON + ".");
     }
     try {
-      return MAPPER.readTree(context.bodyAsBytes());
+      return MAPPER.readTree(sent(context));
     } catch (JsonProcessingException e) {
       throw RefusalException.badInput(
           "What was sent is no JSON document: " + e.getOriginalMessage() + ".");
     } catch (IOException e) {
       throw RefusalException.badInput("What was sent cannot be read.");
     }
+  }
+
+  /** All that is sent; who sends it drop by drop keeps no thread for long. */
+  private static byte[] sent(Context context) throws IOException {
+    long end = System.nanoTime() + WITHIN.toNanos();
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    byte[] part = new byte[PART_BYTES];
+    InputStream in = context.bodyInputStream();
+    for (int read = in.read(part); read >= 0; read = in.read(part)) {
+      all.write(part, 0, read);
+      if (all.size() > MOST_BYTES) {
+        throw new ContentTooLargeResponse();
+      }
+      if (System.nanoTime() > end) {
+        throw RefusalException.badInput(
+            "What is sent did not arrive within %d s.".formatted(WITHIN.toSeconds()));
+      }
+    }
+    return all.toByteArray();
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.maestro.console;
 
 import java.net.InetSocketAddress;
 import java.time.InstantSource;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -40,10 +41,16 @@ public record Serving(String host, int port, Optional<SiteSecurity> security) {
     Set<String> names = new TreeSet<>(Set.of(LOOPBACK, "localhost", "[::1]"));
     security.ifPresent(
         files -> {
-          names.add(host);
-          names.addAll(files.users().hosts());
+          names.add(inAddress(host));
+          files.users().hosts().forEach(name -> names.add(inAddress(name)));
         });
     return names;
+  }
+
+  /** As it stands in addresses and in the header Host. */
+  static String inAddress(String host) {
+    String small = host.toLowerCase(Locale.ROOT);
+    return small.indexOf(':') < 0 || small.startsWith("[") ? small : "[" + small + "]";
   }
 
   Access access() {

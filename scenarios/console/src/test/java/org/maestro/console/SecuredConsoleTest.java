@@ -49,6 +49,7 @@ class SecuredConsoleTest {
                 "screen", Role.VIEWER,
                 "carol", Role.ADMINISTRATOR,
                 "leaver", Role.VIEWER,
+                "renewed", Role.VIEWER,
                 "revoked", Role.VIEWER),
             PERMISSIONS);
   }
@@ -220,12 +221,35 @@ class SecuredConsoleTest {
     SecureSite.in(files).revoke(List.of("revoked"));
 
     assertThat(home.send(revoked.to("/goals")).status()).isEqualTo(401);
+    assertEnds(events);
+  }
+
+  private static void assertEnds(HttpResponse<InputStream> events) throws Exception {
     try (InputStream told = events.body()) {
       byte[] some = new byte[4096];
       while (told.read(some) >= 0) {
         assertThat(some).isNotEmpty();
       }
     }
+  }
+
+  @Test
+  void whoGetsANewPasswordHasToSignInAnew() throws Exception {
+    Signed renewed = signIn("renewed");
+    HttpResponse<InputStream> events = home.stream(renewed.to("/events").build());
+    assertThat(events.statusCode()).isEqualTo(200);
+
+    SecureSite.in(files).renew(List.of("renewed"));
+
+    assertThat(home.send(renewed.to("/goals")).status()).isEqualTo(401);
+    assertEnds(events);
+    assertThat(home.send(as("renewed", "/goals")).status()).isEqualTo(200);
+  }
+
+  @Test
+  void anotherMethodThanThatOfTheRequestIsNotHeeded() throws Exception {
+    HttpRequest.Builder request = as("screen", "/goals").header("X-HTTP-Method-Override", "POST");
+    assertThat(home.send(request).status()).isEqualTo(403);
   }
 
   @Test

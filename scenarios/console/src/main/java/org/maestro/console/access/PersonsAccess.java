@@ -2,10 +2,8 @@ package org.maestro.console.access;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Base64;
-import java.util.Locale;
 import java.util.Optional;
 import org.maestro.rats.security.Role;
 import org.maestro.rats.security.SitePersons;
@@ -20,29 +18,19 @@ public final class PersonsAccess implements Access {
   private static final Logger LOG = LoggerFactory.getLogger(PersonsAccess.class);
   private static final String BASIC = "basic ";
 
-  /** A password takes a tenth of a second of a processor, and may be guessed at. */
-  private static final int GUESSES = 10;
-
-  private static final Duration GUESS = Duration.ofSeconds(6);
-
-  /** A page asks some thirty times when it is opened. */
-  private static final int REQUESTS = 200;
-
-  private static final Duration REQUEST = Duration.ofMillis(20);
-
   private final SitePersons persons;
   private final Sessions sessions;
-  private final RateLimit guesses;
-  private final RateLimit requests;
+  private final Passwords passwords;
+  private final Limits limits;
 
   /**
    * @param clock on the wall
    */
   public PersonsAccess(SitePersons persons, InstantSource clock) {
     this.persons = persons;
-    this.sessions = new Sessions(clock);
-    this.guesses = new RateLimit(GUESSES, GUESS, clock);
-    this.requests = new RateLimit(REQUESTS, REQUEST, clock);
+    this.limits = new Limits(clock);
+    this.sessions = new Sessions(clock, name -> persons.identity(name));
+    this.passwords = new Passwords(persons, limits);
   }
 
   @Override
@@ -64,48 +52,51 @@ public final class PersonsAccess implements Access {
                     new DeniedException(
                         DeniedException.Reason.UNKNOWN,
                         "This site is secured: sign in first, or send a name and a password with each request (HTTP Basic)."));
-    requests
-        .take(person)
-        .ifPresent(
-            wait -> {
-              throw DeniedException.until(wait);
-            });
+    requireToken(visit, presented);
+    if (!presented.urgent()) {
+      limits.request(person);
+    }
     if (visit.role().filter(role -> role.includes(needed.get())).isEmpty()) {
       throw new DeniedException(
           DeniedException.Reason.FORBIDDEN,
           "%s is %s here, and this takes %s; who keeps the site's files can change that: ./maestro secure DIR --%s %s"
               .formatted(
                   person,
-                  visit.role().map(PersonsAccess::aRole).orElse("nobody"),
-                  aRole(needed.get()),
+                  visit.role().map(PersonsAccess::inWords).orElse("nobody"),
+                  inWords(needed.get()),
                   needed.get().word(),
                   person));
     }
     return visit;
   }
 
-  private static String aRole(Role role) {
-    return (role == Role.VIEWER ? "a " : "an ") + role.name().toLowerCase(Locale.ROOT);
+  private static String inWords(Role role) {
+    return (role == Role.VIEWER ? "a " : "an ") + role.word();
   }
 
-  private Visit visit(Presented presented) {
-    if (presented.authorization().isPresent()) {
-      return byPassword(presented.authorization().get(), presented.address());
-    }
-    Optional<Session> session = presented.session().flatMap(sessions::use);
-    if (session.isEmpty()) {
-      return Visit.OF_NOBODY;
-    }
-    if (persons.role(session.get().person()).isEmpty()) {
-      sessions.end(session.get());
-      return Visit.OF_NOBODY;
-    }
-    if (presented.changes() && !isSame(session.get().csrf(), presented.csrf().orElse(""))) {
+  private static void requireToken(Visit visit, Presented presented) {
+    boolean isForged =
+        presented.changes()
+            && visit
+                .session()
+                .filter(session -> !isSame(session.csrf(), presented.csrf().orElse("")))
+                .isPresent();
+    if (isForged) {
       throw new DeniedException(
           DeniedException.Reason.FORBIDDEN,
           "The request lacks the session's own token, so another page may have sent it; send it as X-CSRF-Token, as GET /session tells it.");
     }
-    return of(session.get());
+  }
+
+  private static boolean isSame(String one, String other) {
+    return MessageDigest.isEqual(
+        one.getBytes(StandardCharsets.UTF_8), other.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private Visit visit(Presented presented) {
+    return presented.authorization().isPresent()
+        ? byPassword(presented.authorization().get(), presented.address())
+        : presented.session().flatMap(sessions::use).map(this::of).orElse(Visit.OF_NOBODY);
   }
 
   private Visit of(Session session) {
@@ -113,9 +104,7 @@ public final class PersonsAccess implements Access {
         Optional.of(session.person()),
         persons.role(session.person()),
         Optional.of(session),
-        () ->
-            sessions.use(session.token()).isPresent()
-                && persons.role(session.person()).isPresent());
+        () -> sessions.use(session.token()).isPresent());
   }
 
   private Visit byPassword(String authorization, String address) {
@@ -125,12 +114,13 @@ public final class PersonsAccess implements Access {
           DeniedException.Reason.UNKNOWN,
           "The header Authorization has to be HTTP Basic, with a name and a password.");
     }
-    require(named[0], named[1], address);
+    String name = named[0];
+    String identity = passwords.require(name, named[1], address);
     return new Visit(
-        Optional.of(named[0]),
-        persons.role(named[0]),
+        Optional.of(name),
+        persons.role(name),
         Optional.empty(),
-        () -> persons.role(named[0]).isPresent());
+        () -> persons.identity(name).filter(identity::equals).isPresent());
   }
 
   private static String decoded(String authorization) {
@@ -148,37 +138,14 @@ public final class PersonsAccess implements Access {
 
   @Override
   public Visit signIn(String name, String password, String address) {
-    require(name, password, address);
+    String identity = passwords.require(name, password, address);
+    limits.signIn(name);
     LOG.info("{} signed in from {}", name, address);
-    return of(sessions.begin(name));
-  }
-
-  private void require(String name, String password, String address) {
-    if (persons.isProven(name, password)) {
-      return;
-    }
-    guesses
-        .take(address)
-        .ifPresent(
-            wait -> {
-              throw DeniedException.until(wait);
-            });
-    if (!persons.isPassword(name, password)) {
-      LOG.warn("Somebody at {} gave a wrong name or password", address);
-      throw new DeniedException(
-          DeniedException.Reason.UNKNOWN,
-          "The name or the password is wrong; the site's files have it: users/NAME/console-password.");
-    }
-    guesses.giveBack(address);
+    return of(sessions.begin(name, identity));
   }
 
   @Override
   public void signOut(Visit visit) {
     visit.session().ifPresent(sessions::end);
-  }
-
-  private static boolean isSame(String one, String other) {
-    return MessageDigest.isEqual(
-        one.getBytes(StandardCharsets.UTF_8), other.getBytes(StandardCharsets.UTF_8));
   }
 }

@@ -10,13 +10,15 @@ import java.util.Optional;
  * @param session the token of a session, which a browser sends with each request
  * @param csrf the session's other token, which only a page of ours can have sent
  * @param changes whether it may change something
+ * @param urgent whether it is answered however much else is asked
  */
 public record Presented(
     String address,
     Optional<String> authorization,
     Optional<String> session,
     Optional<String> csrf,
-    boolean changes) {
+    boolean changes,
+    boolean urgent) {
 
   @Override
   public String toString() {

@@ -8,8 +8,8 @@ import java.util.Optional;
 import org.maestro.rats.bounded.BoundedMap;
 
 /**
- * A limit to how often each of many may ask: so often at once, and then once in each stretch of
- * time. Any thread.
+ * A limit to how often each of many may do something: so often at once, and then once in each
+ * stretch of time. Any thread.
  */
 final class RateLimit {
   private static final int MOST_KNOWN = 10_000;
@@ -18,7 +18,7 @@ final class RateLimit {
   private final Duration each;
   private final InstantSource clock;
 
-  /** When each would have asked for the last time, had all come evenly. */
+  /** When each would have done it for the last time, had all come evenly. */
   private final Map<String, Instant> spent = BoundedMap.ofLatelyUsed(MOST_KNOWN);
 
   RateLimit(int atOnce, Duration each, InstantSource clock) {
@@ -27,21 +27,24 @@ final class RateLimit {
     this.clock = clock;
   }
 
-  /** Counts a request of somebody; returns how long she has to wait where it is one too many. */
+  /** Counts one; returns how long to wait where it is one too many, which is not counted. */
   synchronized Optional<Duration> take(String who) {
-    Instant now = clock.instant();
-    Instant since = spent.getOrDefault(who, now);
-    Instant next = (since.isBefore(now) ? now : since).plus(each);
-    Duration over = Duration.between(now, next).minus(each.multipliedBy(atOnce));
-    if (over.compareTo(Duration.ZERO) > 0) {
-      return Optional.of(over);
+    Optional<Duration> wait = wouldWait(who);
+    if (wait.isEmpty()) {
+      spent.put(who, next(who));
     }
-    spent.put(who, next);
-    return Optional.empty();
+    return wait;
   }
 
-  /** Counts one of them no more. */
-  synchronized void giveBack(String who) {
-    spent.computeIfPresent(who, (name, at) -> at.minus(each));
+  /** How long one would have to wait now; empty: not at all. */
+  synchronized Optional<Duration> wouldWait(String who) {
+    Duration over = Duration.between(clock.instant(), next(who)).minus(each.multipliedBy(atOnce));
+    return over.compareTo(Duration.ZERO) > 0 ? Optional.of(over) : Optional.empty();
+  }
+
+  private Instant next(String who) {
+    Instant now = clock.instant();
+    Instant since = spent.getOrDefault(who, now);
+    return (since.isBefore(now) ? now : since).plus(each);
   }
 }

@@ -213,11 +213,12 @@ public final class Api {
                 request -> queries.apply(request.body().path("query").asText()))
             .taking("query-request"),
         order(
-            Method.POST,
-            "/safe-state",
-            "stop",
-            "Brings every device into a safe state, now; the platform stays.",
-            request -> questions.stop(Optional.empty())),
+                Method.POST,
+                "/safe-state",
+                "stop",
+                "Brings every device into a safe state, now; the platform stays.",
+                request -> questions.stop(Optional.empty()))
+            .atOnce(),
         order(
                 Method.POST,
                 "/coordinator/revival",

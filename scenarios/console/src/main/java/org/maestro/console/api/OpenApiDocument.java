@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.maestro.rats.security.Role;
 
 /** The OpenAPI document of the operations that are answered. */
 public final class OpenApiDocument {
@@ -144,7 +145,11 @@ public final class OpenApiDocument {
   /** They have no end, which operations of the table have. */
   private static void events(ObjectNode paths, String path, String id, String summary) {
     ObjectNode get =
-        at(paths, path).putObject("get").put("operationId", id).put("summary", summary);
+        at(paths, path)
+            .putObject("get")
+            .put("operationId", id)
+            .put("summary", summary)
+            .put("x-role", Role.VIEWER.word());
     ObjectNode responses = get.putObject("responses");
     responses
         .putObject("200")

@@ -16,6 +16,7 @@ import org.maestro.rats.security.Role;
  * @param id its name for programs, unique
  * @param summary what it does, a sentence
  * @param needs the role of who may ask for it on a secured site; empty: anybody may
+ * @param urgent whether it is answered however much else its person asks
  * @param body the schema of what it takes; empty: nothing
  * @param status of a good answer
  * @param answer the schema of that answer; empty: it has no content
@@ -27,6 +28,7 @@ public record Operation(
     String summary,
     List<Parameter> parameters,
     Optional<Role> needs,
+    boolean urgent,
     Optional<String> body,
     int status,
     Optional<String> answer,
@@ -131,6 +133,7 @@ public record Operation(
         summary,
         List.of(),
         Optional.of(Role.VIEWER),
+        false,
         Optional.empty(),
         OK,
         Optional.of(answer),
@@ -147,6 +150,7 @@ public record Operation(
         summary,
         List.of(),
         Optional.of(Role.OPERATOR),
+        false,
         Optional.empty(),
         NO_CONTENT,
         Optional.empty(),
@@ -155,12 +159,18 @@ public record Operation(
 
   public Operation with(Parameter... more) {
     return new Operation(
-        method, path, id, summary, List.of(more), needs, body, status, answer, action);
+        method, path, id, summary, List.of(more), needs, urgent, body, status, answer, action);
   }
 
   /** The same for those of the role, and of any that includes it. */
   public Operation by(Role role) {
     return by(Optional.of(role));
+  }
+
+  /** The same however much else is asked. */
+  public Operation atOnce() {
+    return new Operation(
+        method, path, id, summary, parameters, needs, true, body, status, answer, action);
   }
 
   /** The same for who has not signed in, too. */
@@ -169,16 +179,37 @@ public record Operation(
   }
 
   private Operation by(Optional<Role> role) {
-    return new Operation(method, path, id, summary, parameters, role, body, status, answer, action);
+    return new Operation(
+        method, path, id, summary, parameters, role, urgent, body, status, answer, action);
   }
 
   public Operation taking(String schema) {
     return new Operation(
-        method, path, id, summary, parameters, needs, Optional.of(schema), status, answer, action);
+        method,
+        path,
+        id,
+        summary,
+        parameters,
+        needs,
+        urgent,
+        Optional.of(schema),
+        status,
+        answer,
+        action);
   }
 
   public Operation answering(int good, String schema) {
     return new Operation(
-        method, path, id, summary, parameters, needs, body, good, Optional.of(schema), action);
+        method,
+        path,
+        id,
+        summary,
+        parameters,
+        needs,
+        urgent,
+        body,
+        good,
+        Optional.of(schema),
+        action);
   }
 }

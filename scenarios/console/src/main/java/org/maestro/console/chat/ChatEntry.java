@@ -59,6 +59,6 @@ record ChatEntry(
 
   /** About as many characters as it takes. */
   long weight() {
-    return WEIGHT_OF_THE_REST + text.length() + near.stream().mapToInt(String::length).sum();
+    return WEIGHT_OF_THE_REST + text.length() + near.stream().mapToLong(String::length).sum();
   }
 }

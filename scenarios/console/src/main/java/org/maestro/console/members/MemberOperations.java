@@ -99,6 +99,7 @@ public final class MemberOperations {
                 "stopMember",
                 "Brings one device into a safe state, now.",
                 request -> questions.stop(Optional.of(request.parameter("member"))))
+            .atOnce()
             .with(which));
   }
 

@@ -83,7 +83,7 @@ byId("stop").addEventListener("click", () =>
   ask.stop().then(() => say("Every device was told to go into a safe state."), (failure) => say(failure.message)));
 theme(localStorage.getItem("theme") ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
 let leave = () => {};
-onShutOut(() => recognize().catch(() => {}));
+onShutOut(() => recognize().catch(() => false));
 startAlerts();
 startGoals();
 startMembers();

@@ -74,26 +74,31 @@ async function answer(response) {
 
 /** What a page of ours alone can send, where there are sessions. */
 let csrf = null;
-let isShutOut = () => {};
+let shutOut = () => Promise.resolve(false);
 
 export function authorize(token) {
   csrf = token;
 }
 
-/** Told when the platform does not know any more who looks. */
+/** Told when the platform does not know any more who looks; its answer is whether she is still the same. */
 export function onShutOut(listener) {
-  isShutOut = listener;
+  shutOut = listener;
 }
 
-async function request(path, options = {}) {
+async function request(path, options = {}, isAgain = false) {
+  const sent = csrf;
   let response;
   try {
-    response = await fetch(ROOT + path, csrf === null ? options : { ...options, headers: { ...options.headers, "X-CSRF-Token": csrf } });
+    response = await fetch(ROOT + path, sent === null ? options : { ...options, headers: { ...options.headers, "X-CSRF-Token": sent } });
   } catch {
     throw new Error("The platform does not answer; see whether it still runs.");
   }
   if (response.status === 401 && path !== "/session") {
-    isShutOut();
+    shutOut();
+  }
+  // She has signed in anew in another page meanwhile: this one has the token of the session before.
+  if (response.status === 403 && sent !== null && !isAgain && (await shutOut()) && csrf !== sent) {
+    return request(path, options, true);
   }
   return answer(response);
 }
@@ -273,7 +278,7 @@ function hearAll() {
     changed();
     // It does not try again where it was refused: somebody has to sign in.
     if (events.readyState === EventSource.CLOSED) {
-      isShutOut();
+      shutOut();
     }
   });
   for (const [name, take] of Object.entries(TAKEN)) {

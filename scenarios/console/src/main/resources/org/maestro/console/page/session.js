@@ -38,9 +38,11 @@ function take(told) {
   }
 }
 
-/** Asks who looks; what ends a session somewhere else is seen so, too. */
+/** Asks who looks, as a session may have ended or begun in another page; returns whether she is still the same. */
 export async function recognize() {
+  const before = who.person;
   take(await ask.session());
+  return before !== null && who.person === before;
 }
 
 async function signIn(event) {

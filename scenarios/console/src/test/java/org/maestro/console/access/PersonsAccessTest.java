@@ -7,11 +7,16 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,7 +36,7 @@ class PersonsAccessTest {
   private final PersonsAccess access = new PersonsAccess(SiteSecurity.open(files).persons(), clock);
 
   @BeforeAll
-  static void oneViewer() {
+  static void make() {
     SecureSite.in(files)
         .make(
             new SiteUsers(
@@ -41,16 +46,20 @@ class PersonsAccessTest {
                 new TreeSet<>(),
                 new TreeSet<>(),
                 new TreeSet<>(),
-                new TreeMap<>(Map.of("alice", Role.VIEWER))));
+                new TreeMap<>(Map.of("alice", Role.VIEWER, "bob", Role.VIEWER))));
   }
 
   private static String password() {
-    return SiteSecurity.open(files).console("alice").orElseThrow().password().orElseThrow();
+    return password("alice");
+  }
+
+  private static String password(String person) {
+    return SiteSecurity.open(files).console(person).orElseThrow().password().orElseThrow();
   }
 
   private static Presented with(Session session) {
     return new Presented(
-        HERE, Optional.empty(), Optional.of(session.token()), Optional.empty(), false);
+        HERE, Optional.empty(), Optional.of(session.token()), Optional.empty(), false, false);
   }
 
   private Session signIn() {
@@ -77,7 +86,11 @@ class PersonsAccessTest {
   }
 
   private void assertDenied(String password, DeniedException.Reason reason) {
-    assertThatThrownBy(() -> access.signIn("alice", password, HERE))
+    assertDenied("alice", password, reason);
+  }
+
+  private void assertDenied(String name, String password, DeniedException.Reason reason) {
+    assertThatThrownBy(() -> access.signIn(name, password, HERE))
         .isInstanceOfSatisfying(
             DeniedException.class, denial -> assertThat(denial.reason()).isEqualTo(reason));
   }
@@ -87,6 +100,81 @@ class PersonsAccessTest {
     for (int time = 0; time < 40; time++) {
       assertThat(signIn().person()).isEqualTo("alice");
     }
+  }
+
+  /** She has signed in before, and is known again at once: wrong ones count all the same. */
+  @Test
+  void whoHasGuessedTooOftenIsNotToldWhenItIsRight() {
+    signIn();
+    for (int guess = 0; guess < 10; guess++) {
+      assertDenied("guess-" + guess, DeniedException.Reason.UNKNOWN);
+    }
+    assertDenied("another", DeniedException.Reason.TOO_OFTEN);
+    assertDenied(password(), DeniedException.Reason.TOO_OFTEN);
+  }
+
+  @Test
+  void guessesOfManyNamesAreLimitedToo() {
+    for (int name = 0; name < 60; name++) {
+      assertDenied("name-" + name, "guessed", DeniedException.Reason.UNKNOWN);
+    }
+    assertDenied("name-60", "guessed", DeniedException.Reason.TOO_OFTEN);
+  }
+
+  @Test
+  void manyThatComeAtOnceWithTheRightPasswordAreLetIn() throws Exception {
+    ExecutorService threads = Executors.newFixedThreadPool(16);
+    try {
+      List<Callable<Optional<String>>> all =
+          Collections.nCopies(30, () -> access.signIn("alice", password(), HERE).person());
+      for (Future<Optional<String>> one : threads.invokeAll(all)) {
+        assertThat(one.get()).contains("alice");
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  @Test
+  void oneWhoSignsInAgainAndAgainEndsOnlyHerOwnSessions() {
+    Session others = access.signIn("bob", password("bob"), HERE).session().orElseThrow();
+    Session first = signIn();
+    Session second = signIn();
+    for (int more = 0; more < 18; more++) {
+      signIn();
+    }
+    assertThat(access.admit(with(first), VIEWER).person()).contains("alice");
+    signIn();
+    assertThat(access.admit(with(first), VIEWER).person()).contains("alice");
+    assertThat(access.admit(with(second), Optional.empty()).person())
+        .as("it was used longest ago")
+        .isEmpty();
+    assertThat(access.admit(with(others), VIEWER).person()).contains("bob");
+  }
+
+  @Test
+  void aSessionOfAFormerPasswordIsNoneThoughThePersonHasComeBack() {
+    Session session = access.signIn("bob", password("bob"), HERE).session().orElseThrow();
+    SecureSite.in(files).renew(List.of("bob"));
+    assertThat(access.admit(with(session), Optional.empty()).person()).isEmpty();
+    Session renewed = access.signIn("bob", password("bob"), HERE).session().orElseThrow();
+    SecureSite.in(files).revoke(List.of("bob"));
+    make();
+    assertThat(access.admit(with(renewed), Optional.empty()).person()).isEmpty();
+  }
+
+  @Test
+  void whatIsUrgentIsAnsweredHoweverMuchElseIsAsked() {
+    Session session = signIn();
+    for (int request = 0; request < 200; request++) {
+      access.admit(with(session), VIEWER);
+    }
+    assertThatThrownBy(() -> access.admit(with(session), VIEWER))
+        .isInstanceOf(DeniedException.class);
+    Presented urgent =
+        new Presented(
+            HERE, Optional.empty(), Optional.of(session.token()), Optional.empty(), false, true);
+    assertThat(access.admit(urgent, VIEWER).person()).contains("alice");
   }
 
   @Test
