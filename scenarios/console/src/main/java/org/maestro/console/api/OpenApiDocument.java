@@ -23,6 +23,7 @@ public final class OpenApiDocument {
               401, "The site is secured, and it is not known who asks.",
               403,
                   "It comes from a page of another site, or for another host, or who asks may not.",
+              404, "Here is nothing of the kind.",
               413, "What was sent is too long.",
               429, "It was asked too often; Retry-After says when it is answered again.",
               503, "Something outside failed; the same may be answered later."));

@@ -29,6 +29,7 @@ public final class Chat implements Source {
   private static final int CREATED = 201;
   private static final int MOST = 2_000;
   private static final long HEAVIEST = 2_000_000;
+  private static final int MOST_CHARACTERS = 2_000;
   private static final String PERSON = "Person";
   private static final String ROOM = "Room";
 
@@ -70,6 +71,10 @@ public final class Chat implements Source {
 
   private Utterance read(Operation.Request request) {
     JsonNode body = request.body();
+    if (body.path("text").asText().length() > MOST_CHARACTERS) {
+      throw RefusalException.badInput(
+          "That is longer than %d characters; say less at once.".formatted(MOST_CHARACTERS));
+    }
     return new Utterance(
         known(body.path("person").asText(), PERSON, "person"),
         known(body.path("room").asText(), ROOM, "room"),
@@ -132,7 +137,7 @@ public final class Chat implements Source {
           .text("kind", entry.kind())
           .text("goal", entry.goal());
       row.node().put("text", ShownText.of(entry.text()));
-      row.words("near", entry.near());
+      row.words("near", entry.near().stream().map(ShownText::of).toList());
     }
     return document.node();
   }

@@ -40,8 +40,8 @@ public final class WrittenInterlocutor implements Interlocutor {
   private final AclQuestions questions;
   private final GoalStories stories;
 
-  /** What was said of a goal that lacks its last part; guarded by this. */
-  private Optional<String> unfinished = Optional.empty();
+  /** What was said, and where, of a goal that lacks its last part; guarded by this. */
+  private Optional<Utterance> unfinished = Optional.empty();
 
   /**
    * @param home as it is known at the time
@@ -69,23 +69,22 @@ public final class WrittenInterlocutor implements Interlocutor {
 
   /** What answers the question that was asked last is read with what that was about. */
   private synchronized Reading read(WrittenWords words, Utterance utterance) {
-    Optional<String> begun = unfinished;
-    unfinished = Optional.empty();
     Reading alone = words.read(utterance);
-    Reading reading =
-        begun
+    Optional<Utterance> together =
+        unfinished
             .filter(before -> alone instanceof Reading.Unclear)
-            .map(before -> words.read(with(utterance, before + " " + utterance.text())))
-            .filter(together -> !(together instanceof Reading.Unclear))
-            .orElse(alone);
-    if (reading instanceof Reading.Unfinished part) {
-      unfinished = Optional.of(part.begin());
-    }
+            .map(before -> joined(before, utterance))
+            .filter(both -> !(words.read(both) instanceof Reading.Unclear));
+    Utterance whole = together.orElse(utterance);
+    Reading reading = together.isPresent() ? words.read(whole) : alone;
+    unfinished = reading instanceof Reading.Unfinished ? Optional.of(whole) : Optional.empty();
     return reading;
   }
 
-  private static Utterance with(Utterance utterance, String text) {
-    return new Utterance(utterance.person(), utterance.room(), text, utterance.asker());
+  /** Here is where it was begun. */
+  private static Utterance joined(Utterance before, Utterance now) {
+    return new Utterance(
+        before.person(), before.room(), before.text() + " " + now.text(), now.asker());
   }
 
   private static ChatEvent questionBack(Reading.Unfinished part, WrittenWords words) {

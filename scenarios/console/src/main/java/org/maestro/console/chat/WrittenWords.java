@@ -19,7 +19,6 @@ import org.maestro.sl.SlSyntaxException;
  * {@code illuminance here 100}. A question mark at either end makes it a question.
  */
 final class WrittenWords {
-  private static final int MOST_CHARACTERS = 2_000;
   private static final int MOST_NEAR = 4;
   private static final Pattern WORD = Pattern.compile("[A-Za-z][\\w-]*");
 
@@ -33,11 +32,6 @@ final class WrittenWords {
 
   Reading read(Utterance utterance) {
     String text = utterance.text().strip();
-    if (text.length() > MOST_CHARACTERS) {
-      return new Reading.Unclear(
-          "That is longer than %d characters; say less at once.".formatted(MOST_CHARACTERS),
-          List.of());
-    }
     boolean isQuestion = text.startsWith("?") || text.endsWith("?");
     String said = text.replaceAll("^\\?\\s*|\\s*\\?$", "");
     if (said.isBlank()) {

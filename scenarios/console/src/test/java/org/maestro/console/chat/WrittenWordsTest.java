@@ -95,9 +95,4 @@ class WrittenWordsTest {
       assertThat(unclear.near()).contains(near);
     }
   }
-
-  @Test
-  void whatIsTooLongIsNotRead() {
-    assertThat(read("x".repeat(3_000))).isInstanceOf(Reading.Unclear.class);
-  }
 }
