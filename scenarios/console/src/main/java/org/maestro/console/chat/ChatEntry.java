@@ -21,7 +21,7 @@ record ChatEntry(
     Optional<String> goal,
     String text,
     List<String> near) {
-  private static final int WEIGHT_OF_THE_REST = 100;
+  private static final long WEIGHT_OF_THE_REST = 100;
 
   static ChatEntry said(Utterance utterance, Instant at) {
     return entry(utterance, at, "said", Optional.empty(), utterance.text(), List.of());

@@ -105,14 +105,15 @@ public final class WrittenInterlocutor implements Interlocutor {
     CompletableFuture<GoalReport> report = new CompletableFuture<>();
     questions
         .state(goal, 0, OptionalDouble.empty(), asker, report::complete)
-        .whenComplete(
-            (id, refusal) -> {
-              if (refusal != null) {
-                listener.accept(misunderstood(goal, refusal, words));
-              } else {
-                listener.accept(new ChatEvent.Understood(id, goal));
-                follow(id, report, listener);
-              }
+        .thenAccept(
+            id -> {
+              listener.accept(new ChatEvent.Understood(id, goal));
+              follow(id, report, listener);
+            })
+        .exceptionally(
+            refusal -> {
+              listener.accept(misunderstood(goal, refusal, words));
+              return null;
             });
   }
 
@@ -122,8 +123,11 @@ public final class WrittenInterlocutor implements Interlocutor {
         id,
         entry -> {
           if (entry.kind() == StoryEntry.Kind.END) {
-            report.thenAccept(
-                ended -> listener.accept(new ChatEvent.Ended(id, ended.reached(), entry.text())));
+            report
+                .thenAccept(
+                    ended ->
+                        listener.accept(new ChatEvent.Ended(id, ended.reached(), entry.text())))
+                .exceptionally(failure -> null);
           } else if (TOLD.contains(entry.kind())) {
             listener.accept(new ChatEvent.Told(id, entry.text()));
           }
@@ -133,13 +137,11 @@ public final class WrittenInterlocutor implements Interlocutor {
   private void ask(String question, Consumer<ChatEvent> listener, WrittenWords words) {
     questions
         .know(question)
-        .whenComplete(
-            (answers, refusal) -> {
-              if (refusal != null) {
-                listener.accept(misunderstood(question, refusal, words));
-              } else {
-                tell(answers, listener);
-              }
+        .thenAccept(answers -> tell(answers, listener))
+        .exceptionally(
+            refusal -> {
+              listener.accept(misunderstood(question, refusal, words));
+              return null;
             });
   }
 

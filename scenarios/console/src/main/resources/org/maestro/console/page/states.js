@@ -12,6 +12,8 @@ const AGAIN_MILLIS = 1000;
 /** The signs of life as they were told last; events tell of changes alone, and ages go on. */
 let signs = null;
 let isAsking = false;
+/** What is shown; it is made anew when something else was told. */
+let drawn = [];
 
 function mark(row) {
   const [sign, tone] = SIGNS[row.state] ?? ["?", "wait"];
@@ -84,6 +86,11 @@ export function drawStates() {
   if (!document.hidden) {
     askAgain();
   }
+  const now = [told, signs, selection().at];
+  if (now.every((one, i) => one === drawn[i])) {
+    return;
+  }
+  drawn = now;
   byId("states-bound").textContent = bound(told.timing) + (selection().at === null ? "" : " States have no past: this is now.");
   redraw(all,
     make("div", { class: "column" },
