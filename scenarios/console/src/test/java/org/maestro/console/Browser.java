@@ -74,11 +74,19 @@ final class Browser implements AutoCloseable {
     driver.navigate().refresh();
   }
 
-  /** Of our page: {@code light} or {@code dark}. */
+  /** Of our page: {@code light} or {@code dark}, by its button. */
   void theme(String name) {
-    run("localStorage.setItem('theme', arguments[0]); location.reload();", name);
-    waitFor("#link.live");
+    run(
+        "if (document.documentElement.dataset.theme !== arguments[0]) {"
+            + " document.getElementById('theme').click(); }",
+        name);
     waitFor("html[data-theme=" + name + "]");
+  }
+
+  /** Another view of the page that is shown, as it stands in the address. */
+  void view(String address) {
+    run("location.hash = 'view=' + arguments[0]", address);
+    waitFor("[data-view=" + address.split("&")[0] + "][aria-pressed=true]");
   }
 
   WebElement waitFor(String selector) {

@@ -246,13 +246,14 @@ class ConsolePageTest {
   /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
   @Test
   void eachViewIsForEverybody() throws IOException {
-    for (String theme : List.of("light", "dark")) {
+    browser.go(home.uri() + "/");
+    browser.waitForText("#plan", "room A");
+    for (String view : List.of("goals", "members&thing=rose", "knowledge")) {
+      browser.view(view);
       for (int width : List.of(1440, 900, 390)) {
         browser.size(width, width == 390 ? 844 : 900);
-        for (String view : List.of("goals", "members&thing=rose", "knowledge")) {
-          browser.go(home.uri() + "/#view=" + view);
+        for (String theme : List.of("light", "dark")) {
           browser.theme(theme);
-          browser.waitForText("#plan", "room A");
           assertThat(Accessibility.faults(browser)).as("%s, %d, %s", theme, width, view).isEmpty();
           assertThat(browser.run("return document.documentElement.scrollWidth <= innerWidth"))
               .as("nothing is cut off at %d", width)

@@ -115,15 +115,15 @@ class PastPageTest {
   /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
   @Test
   void lookingBackIsForEverybody() throws IOException {
-    for (String theme : List.of("light", "dark")) {
-      for (int width : List.of(1440, 390)) {
-        browser.size(width, width == 390 ? 844 : 900);
-        browser.go(home.uri() + "/#view=history");
+    browser.go(home.uri() + "/#view=history");
+    browser.waitForText("#detail", "stated");
+    browser.waitForText("#charts .legend", "reached or held");
+    click("stated");
+    browser.waitForText("#time.past #time-told", "As of ");
+    for (int width : List.of(1440, 390)) {
+      browser.size(width, width == 390 ? 844 : 900);
+      for (String theme : List.of("light", "dark")) {
         browser.theme(theme);
-        browser.waitForText("#detail", "stated");
-        browser.waitForText("#charts .legend", "reached or held");
-        click("stated");
-        browser.waitForText("#time.past #time-told", "As of ");
         assertThat(Accessibility.faults(browser)).as("%s, %d", theme, width).isEmpty();
         assertThat(browser.run("return document.documentElement.scrollWidth <= innerWidth"))
             .as("nothing is cut off at %d", width)

@@ -24,6 +24,7 @@ class ConsoleOfPlatformTest {
   private static final Duration LIMIT = Duration.ofSeconds(60);
   private static final Path DOCS = Path.of("..", "..", "docs");
   private static final String USUAL = "http://127.0.0.1:7070";
+  private static final String OF_SECURED = "--cacert";
   private static final Pattern SERVED = Pattern.compile("The console, for a browser: (\\S+)");
 
   @TempDir private Path directory;
@@ -46,10 +47,7 @@ class ConsoleOfPlatformTest {
 
       assumeTrue(isThere("curl"), "The guide's requests are not tried: there is no curl.");
       List<String> requests =
-          Files.readAllLines(DOCS.resolve("guide-console.md")).stream()
-              .map(String::strip)
-              .filter(line -> line.startsWith("curl "))
-              .toList();
+          requests().stream().filter(request -> !request.contains(OF_SECURED)).toList();
       assertThat(requests).hasSizeGreaterThan(4);
       for (String request : requests) {
         Said answer =
@@ -61,6 +59,13 @@ class ConsoleOfPlatformTest {
         }
       }
     }
+  }
+
+  private static List<String> requests() throws IOException {
+    return Files.readAllLines(DOCS.resolve("guide-console.md")).stream()
+        .map(String::strip)
+        .filter(line -> line.startsWith("curl "))
+        .toList();
   }
 
   @Test
@@ -93,18 +98,40 @@ class ConsoleOfPlatformTest {
     String files = directory.resolve("site").toString();
     assertThat(
             command(
-                "secure", files, "bob", "--viewer", "screen", "--administrator", "console,carol"))
-        .contains("At the console may sign in: carol (administrator), console (administrator)");
+                "secure",
+                files,
+                "bob",
+                "--viewer",
+                "screen",
+                "--operator",
+                "alice",
+                "--administrator",
+                "console"))
+        .contains("At the console may sign in: alice (operator), console (administrator)");
     try (JavaProcess platform = run("--console", "0", "--security", files)) {
-      assertThat(await(platform, SERVED)).startsWith("https://127.0.0.1:");
+      String console = await(platform, SERVED);
+      assertThat(console).startsWith("https://127.0.0.1:");
 
       assertThat(command("goals")).startsWith("No goal was stated yet");
       assertThat(command("agents", "--user", "screen")).contains("lamp-b1").doesNotContain("cli-");
-      assertThat(command("stop", "--user", "carol")).contains("safe state");
+      assertThat(command("stop", "--user", "alice")).contains("safe state");
       try (JavaProcess refused = maestro(List.of("stop", "--user", "screen"))) {
         JavaProcess.Ended ended = refused.await(LIMIT);
         assertThat(ended.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(ended.errors()).contains("screen is a viewer here, and this takes an operator");
+      }
+      assumeTrue(isThere("curl"), "The guide's requests are not tried: there is no curl.");
+      List<String> requests =
+          requests().stream().filter(request -> request.contains(OF_SECURED)).toList();
+      assertThat(requests).isNotEmpty();
+      for (String request : requests) {
+        Said answer =
+            bash(
+                request
+                    .replace("curl ", "curl --silent --show-error ")
+                    .replace("site-files", files)
+                    .replace("https" + USUAL.substring("http".length()), console));
+        assertThat(answer.text()).as(request).startsWith("{\"goals\":");
       }
     }
   }

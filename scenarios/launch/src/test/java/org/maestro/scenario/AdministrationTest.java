@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,12 +48,19 @@ class AdministrationTest {
       :glimmer-1 a maestro:Device ; maestro:container "wonders" ; maestro:pose "5 1 2.5" ;
         maestro:offers :shimmer .
       :glimmer-2 a maestro:Device ; maestro:pose "1 1 2.5" ; maestro:offers :shimmer .
+      :glimmer-3 a maestro:Device ; maestro:pose "1 2 2.5" ; maestro:offers :shimmer .
+      :glimmer-4 a maestro:Device ; maestro:pose "1 3 2.5" ; maestro:offers :shimmer .
+      :glimmer-5 a maestro:Device ; maestro:pose "2 1 2.5" ; maestro:offers :shimmer .
+      :glimmer-6 a maestro:Device ; maestro:pose "2 2 2.5" ; maestro:offers :shimmer .
       :shimmer a maestro:Action ; maestro:sentence "{self} shimmers in {zone}" ;
         maestro:binds [ maestro:name "zone" ; maestro:type maestro:Zone ] ;
         maestro:precondition "(inside ?self ?zone)" ;
         maestro:effect "(increase (illuminance ?zone) 80)" ;
         maestro:cost "0.2" ; maestro:seconds "0.2" .
       """;
+
+  private static final List<String> SIX =
+      IntStream.rangeClosed(1, 6).mapToObj(number -> "glimmer-" + number).toList();
 
   private PlainAgent.Guest guest;
 
@@ -72,22 +80,20 @@ class AdministrationTest {
   }
 
   @Test
-  void oneAgentStandsForTwoDevicesThatAFileDescribesUntilItIsRemoved(Stage stage) throws Exception {
+  void oneAgentStandsForSixLampsThatAFileDescribesUntilItIsRemoved(Stage stage) throws Exception {
     List<Directory.Entry> others = agentsOfDevices(stage);
 
     ACLMessage added = ask(add("glimmers", GLIMMERS));
 
     assertThat(added.getPerformative()).as(added.getContent()).isEqualTo(ACLMessage.INFORM);
     assertThat(added.getContent())
-        .contains("The agent glimmers lives in wonders, and stands for glimmer-1, glimmer-2.");
-    assertThat(row(stage, "glimmers").members()).containsExactly("glimmer-1", "glimmer-2");
+        .contains(
+            "The agent glimmers lives in wonders, and stands for " + String.join(", ", SIX) + ".");
+    assertThat(row(stage, "glimmers").members()).containsExactlyElementsOf(SIX);
     assertThat(row(stage, "glimmers").phase()).isEqualTo("absent");
 
-    glimmers(stage, "glimmer-1");
-    glimmers(stage, "glimmer-2");
-    stage.await(
-        "both are there",
-        () -> stage.platform().presentMembers().containsAll(Set.of("glimmer-1", "glimmer-2")));
+    SIX.forEach(id -> glimmers(stage, id));
+    stage.await("all are there", () -> stage.platform().presentMembers().containsAll(SIX));
 
     assertThat(stage.goal(WISH)).isReached().tells("glimmer-1 shimmers in zone-b");
     assertThat(agentsOfDevices(stage)).as("no other agent has noticed").containsAll(others);

@@ -6,7 +6,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
 import org.maestro.junit.GoalOutcome;
@@ -15,6 +20,7 @@ import org.maestro.junit.Stage;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.member.Procedure;
+import org.maestro.rats.member.RatsMember;
 import org.maestro.rats.protocol.CostAnswer;
 
 /**
@@ -74,6 +80,42 @@ class NewDeviceTest {
 
     stage.kill("cam-a");
     stage.await("cam-a is gone", () -> !stage.platform().presentMembers().contains("cam-a"));
+  }
+
+  /** Three-layered architecture, 2 (M20): whoever comes and goes, the platform goes on. */
+  @Test
+  void tenJoinAndLeaveInAnyOrderAndTheListOfAgentsFollows(Stage stage) {
+    Random random = new Random(20);
+    SortedMap<String, RatsMember> there = new TreeMap<>();
+    for (int change = 1; change <= 10; change++) {
+      String id = "glimmer-" + (1 + random.nextInt(3));
+      if (there.containsKey(id)) {
+        there.remove(id).close();
+      } else {
+        there.put(
+            id,
+            joins(
+                stage,
+                id,
+                GLIMMER.replace("glimmer-1", id),
+                "shimmer",
+                Set.of(),
+                after(stage, 0.2, () -> shine(stage))));
+      }
+      stage.await(
+          "the list of agents follows change " + change,
+          () -> readyGlimmers(stage).equals(there.keySet()));
+      assertThat(stage.goal("(canSee ?camera Bob)")).isReached();
+    }
+    assertThat(stage.goal(WISH)).isReached();
+  }
+
+  private static Set<String> readyGlimmers(Stage stage) {
+    return stage.platform().agents().stream()
+        .filter(row -> row.phase().equals("ready"))
+        .flatMap(row -> row.members().stream())
+        .filter(member -> member.startsWith("glimmer"))
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 
   @Test
@@ -156,7 +198,7 @@ class NewDeviceTest {
     };
   }
 
-  private static void joins(
+  private static RatsMember joins(
       Stage stage,
       String id,
       String description,
@@ -166,15 +208,17 @@ class NewDeviceTest {
     MemberProfile.Feature offered =
         new MemberProfile.Feature(
             feature, Set.of(), occupies, false, Optional.empty(), "busy", procedure);
-    stage.join(
-        new MemberProfile(
-            id,
-            description,
-            Set.of("calm", "busy"),
-            "calm",
-            Set.of("calm"),
-            Map.of(feature, offered)),
-        List::of);
+    RatsMember member =
+        stage.join(
+            new MemberProfile(
+                id,
+                description,
+                Set.of("calm", "busy"),
+                "calm",
+                Set.of("calm"),
+                Map.of(feature, offered)),
+            List::of);
     stage.await(id + " joined", () -> stage.platform().presentMembers().contains(id));
+    return member;
   }
 }
