@@ -26,6 +26,9 @@ public final class JadeRuntime {
   private static final int MOST_MAINS = 10;
   private static final Duration BETWEEN_BEGINNINGS = Duration.ofMillis(100);
 
+  /** JADE lets go of what a container listened with a second after its end. */
+  private static final Duration LETTING_GO = Duration.ofMillis(1_200);
+
   private static final String LOOPBACK = Premises.LOOPBACK;
 
   /** JADE has it for the whole process, so there is one. */
@@ -93,6 +96,12 @@ public final class JadeRuntime {
                 () ->
                     Runtime.instance()
                         .createMainContainer(new WiredProfile(properties, shared.wires())));
+        if (container.isPresent() && Sockets.isFree(premises.host(), port)) {
+          // They ended after this one had taken them up, and before JADE had noted that.
+          ContainerEnds.endNow(container.get());
+          LockSupport.parkNanos(LETTING_GO.toNanos());
+          container = Optional.empty();
+        }
       }
     }
     String problem =
