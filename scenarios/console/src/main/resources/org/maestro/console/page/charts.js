@@ -68,7 +68,7 @@ export function chart({ title, unit, isCount }, names, choose) {
     draw("svg", { width: 22, height: 10, "aria-hidden": "true" },
       draw("line", { class: `line-${(i % COLOURS) + 1}`, x1: 0, x2: 22, y1: 5, y2: 5, "stroke-width": 2.5, "stroke-dasharray": dashes(i).join(" ") || null })),
     ` ${name} `, values[i])));
-  const picture = make("div", { class: "picture", role: "img" });
+  const picture = make("div", { class: "picture", role: "img", "aria-label": `${title}, ${unit}` });
   const element = make("figure", { class: "chart" }, make("figcaption", {}, title, make("span", { class: "quiet" }, ` ${unit}`)), picture, legend);
   const tell = (index) => told.series.forEach((one, i) => {
     const mean = one.mean[index];
