@@ -88,7 +88,7 @@ class GuideBusTest {
               .map(line -> line.replace("/media/stick", directory.resolve("stick").toString()))
               .toList();
     }
-    assertThat(commands).hasSize(5);
+    assertThat(commands).hasSize(6);
     Files.createDirectory(directory.resolve("stick"));
     for (String command : commands) {
       if (command.contains("--ca") && Files.exists(files.resolve("ca/key.pem"))) {
@@ -105,6 +105,7 @@ class GuideBusTest {
     }
     assertThat(files.resolve("users/kettle-1")).doesNotExist();
     assertThat(files.resolve("users/rose/password")).isRegularFile();
+    assertThat(files.resolve("users/alice/console-password")).isRegularFile();
     assertThat(files.resolve("ca/key.pem")).doesNotExist();
   }
 
