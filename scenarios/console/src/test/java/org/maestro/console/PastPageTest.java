@@ -76,6 +76,27 @@ class PastPageTest {
         what);
   }
 
+  /** What is drawn before the answer is what is so now, and the bar claims nothing else. */
+  @Test
+  void aTimeIsNamedOnceItIsShown() {
+    browser.go(home.uri() + "/#view=history");
+    browser.waitForText("#detail", "stated");
+    browser.run(
+        """
+        const ask = window.fetch;
+        const told = new Promise((release) => { window.release = release; });
+        window.fetch = (path, ...more) =>
+          path.includes("/history/state") ? told.then(() => ask(path, ...more)) : ask(path, ...more);
+        """);
+
+    click("stated");
+
+    browser.waitFor("#time-now:not([hidden])");
+    assertThat(browser.text("#time-told")).startsWith("Now.");
+    browser.run("window.release()");
+    browser.waitForText("#time.past #time-told", "As of ");
+  }
+
   @Test
   void theSliderGoesByKeys() {
     browser.go(home.uri() + "/#view=history");

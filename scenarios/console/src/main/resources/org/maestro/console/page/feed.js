@@ -46,7 +46,7 @@ function tellAll() {
 }
 
 /** All listeners are told once before a picture is drawn, however much has changed. */
-function changed() {
+export function changed() {
   if (!waiting) {
     waiting = true;
     const next = () => requestAnimationFrame(tellAll);

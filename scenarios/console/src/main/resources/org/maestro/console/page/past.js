@@ -1,6 +1,6 @@
 /** Looking back: the time that is shown, how far back it can be, and what happened until now. */
 import { byId, draw, redraw, seconds } from "./dom.js";
-import { ask, show } from "./feed.js";
+import { ask, changed, show } from "./feed.js";
 import { select, selection, onSelect } from "./selection.js";
 import { mayNot } from "./session.js";
 
@@ -16,10 +16,10 @@ const GOOD = new Set(["reached", "joined", "returned"]);
 let kept = null;
 let heard = 0;
 let events = [];
-let problem = null;
 
-/** The time that is shown; it differs from the chosen one as long as that is being asked for. */
+/** The time that is shown, and what is wrong with that; it differs from the chosen one as long as that is being asked for. */
 let shown = null;
+let problem = null;
 let isAsking = false;
 
 /** Where the slider is, as long as that is not chosen yet. */
@@ -92,18 +92,19 @@ async function follow() {
   isAsking = true;
   while (selection().at !== shown) {
     const { at } = selection();
-    problem = null;
     let past = null;
+    let wrong = null;
     if (at !== null) {
       try {
         past = await ask.past(at);
-        problem = past.recorded ? null : "Nothing was recorded at this time; what is shown was so before.";
+        wrong = past.recorded ? null : "Nothing was recorded at this time; what is shown was so before.";
       } catch (failure) {
-        problem = failure.message;
+        wrong = failure.message;
         past = { home: null, facts: [], former: [], goals: [], agents: [] };
       }
     }
     shown = at;
+    problem = wrong;
     show(past);
   }
   isAsking = false;
@@ -174,12 +175,12 @@ export function drawPast() {
   const { view, at } = selection();
   const bar = byId("time");
   bar.hidden = view !== "history" && at === null;
-  bar.classList.toggle("past", at !== null);
+  bar.classList.toggle("past", shown !== null);
   drawActs();
   if (bar.hidden) {
     return;
   }
-  const [said, more] = told(at);
+  const [said, more] = told(shown);
   write("time-at", said);
   write("time-ago", more);
   byId("time-now").hidden = at === null;
@@ -212,7 +213,7 @@ export function startPast() {
     if (!document.hidden && performance.now() >= next) {
       next = performance.now() + (isLooking ? OFTEN_MILLIS : SELDOM_MILLIS);
       await refresh();
-      drawPast();
+      changed();
     }
     setTimeout(again, 500);
   };
