@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Replies;
@@ -61,12 +62,11 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
    * DISCONFIRM tell between them that it is so, and that it is not.
    */
   public void requestGoal(Formula goal, Consumer<ACLMessage> replies) {
-    request(
-        ACLMessage.REQUEST,
-        AgentNames.COORDINATOR,
-        NO_END,
-        replies,
-        Words.content("initCNP", Words.named("goal", Words.formula(goal))));
+    requestGoal(Words.content("initCNP", Words.named("goal", Words.formula(goal))), replies);
+  }
+
+  private void requestGoal(Content asked, Consumer<ACLMessage> replies) {
+    request(ACLMessage.REQUEST, AgentNames.COORDINATOR, NO_END, replies, asked);
   }
 
   /**
@@ -76,15 +76,21 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
    * @param accepted is told the goal's id as soon as the CCA has it; not called when it refuses
    */
   public void pursue(Formula goal, Consumer<String> accepted, Consumer<GoalReport> ended) {
-    requestGoal(
-        goal,
-        reply -> {
-          if (reply.getPerformative() == ACLMessage.AGREE) {
-            accepted.accept(GoalReport.acceptedId(reply.getContent()));
-          } else if (isEnd(reply)) {
-            ended.accept(GoalReport.read(reply.getContent()));
-          }
-        });
+    requestGoal(goal, reply -> tell(reply, accepted, ended));
+  }
+
+  /** The same, of a goal of which more is said. */
+  public void pursue(AskedGoal goal, Consumer<String> accepted, Consumer<GoalReport> ended) {
+    requestGoal(goal.content(), reply -> tell(reply, accepted, ended));
+  }
+
+  private static void tell(
+      ACLMessage reply, Consumer<String> accepted, Consumer<GoalReport> ended) {
+    if (reply.getPerformative() == ACLMessage.AGREE) {
+      accepted.accept(GoalReport.acceptedId(reply.getContent()));
+    } else if (isEnd(reply)) {
+      ended.accept(GoalReport.read(reply.getContent()));
+    }
   }
 
   /**

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.InvalidGoalException;
@@ -47,25 +46,6 @@ public final class GoalWords {
         requester,
         priority.map(Double::intValue).orElse(0),
         deadline.map(seconds -> now.plusMillis(Math.round(seconds * 1000))));
-  }
-
-  /**
-   * Asks for a goal.
-   *
-   * @param deadlineSeconds simulated seconds from now by which it has to be reached
-   * @param person for whom the desk asks
-   */
-  public static Content asked(
-      String goal, int priority, OptionalDouble deadlineSeconds, Optional<String> person) {
-    List<Content.Argument> arguments = new ArrayList<>();
-    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
-    arguments.add(Words.named("goal", Words.text(goal)));
-    if (priority != 0) {
-      arguments.add(Words.named("priority", Words.number(priority)));
-    }
-    deadlineSeconds.ifPresent(
-        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
-    return new Content("initCNP", arguments);
   }
 
   private static Optional<Double> number(Words words, String name, String wanted) {

@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.api.StoryEntry;
@@ -29,6 +30,13 @@ public final class Pursuit {
 
   static Pursuit begin(LocalSite site, String text, Formula goal, Duration patience) {
     Pursuit pursuit = new Pursuit(site, text, patience);
+    site.platform().onStory(pursuit.stories::add);
+    site.platform().desk().pursue(goal, pursuit.id::set, pursuit.report::set);
+    return pursuit;
+  }
+
+  static Pursuit begin(LocalSite site, AskedGoal goal, Duration patience) {
+    Pursuit pursuit = new Pursuit(site, goal.goal(), patience);
     site.platform().onStory(pursuit.stories::add);
     site.platform().desk().pursue(goal, pursuit.id::set, pursuit.report::set);
     return pursuit;

@@ -4,6 +4,7 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -78,6 +79,11 @@ public final class Stage implements AutoCloseable {
     } catch (SlSyntaxException e) {
       return Pursuit.refused(site, goal, Objects.requireNonNullElse(e.getMessage(), e.toString()));
     }
+  }
+
+  /** States a goal of which more is said, such as its priority, and leaves it under way. */
+  public Pursuit begin(AskedGoal goal) {
+    return Pursuit.begin(site, goal, patience);
   }
 
   /** What the platform knows. */

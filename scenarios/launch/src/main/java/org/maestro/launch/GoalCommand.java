@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -16,8 +15,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
-import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.OtherPlatform;
@@ -313,11 +312,7 @@ final class GoalCommand implements Callable<Integer> {
     if (stated || resumes) {
       return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
     }
-    return GoalWords.asked(
-        goal,
-        priority,
-        deadlineSeconds.map(OptionalDouble::of).orElseGet(OptionalDouble::empty),
-        Optional.empty());
+    return new AskedGoal(goal).priority(priority).deadlineSeconds(deadlineSeconds).content();
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {

@@ -8,10 +8,10 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.console.api.Operation.Method;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.api.Operation.Request;
@@ -250,13 +250,12 @@ public final class Api {
 
   private CompletableFuture<JsonNode> state(Request request) {
     JsonNode asked = request.body();
-    JsonNode deadline = asked.path("deadline_s");
     return questions
         .state(
-            asked.path("goal").asText(),
-            asked.path("priority").asInt(),
-            deadline.isNumber() ? OptionalDouble.of(deadline.asDouble()) : OptionalDouble.empty(),
-            request.visit().person())
+            new AskedGoal(asked.path("goal").asText())
+                .priority(asked.path("priority").asInt())
+                .deadlineSeconds(number(asked, "deadline_s"))
+                .person(request.visit().person()))
         .thenApply(id -> JsonMembers.empty().text("id", id).node());
   }
 
@@ -271,6 +270,10 @@ public final class Api {
             text(asked, "as"),
             text(asked, "container"),
             needs));
+  }
+
+  private static Optional<Double> number(JsonNode asked, String name) {
+    return Optional.of(asked.path(name)).filter(JsonNode::isNumber).map(JsonNode::asDouble);
   }
 
   private static Optional<String> text(JsonNode asked, String name) {

@@ -5,12 +5,12 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.coordination.api.StoryEntry;
@@ -104,7 +104,7 @@ public final class WrittenInterlocutor implements Interlocutor {
       String goal, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
     CompletableFuture<GoalReport> report = new CompletableFuture<>();
     questions
-        .state(goal, 0, OptionalDouble.empty(), asker, report::complete)
+        .state(new AskedGoal(goal).person(asker), report::complete)
         .thenAccept(
             id -> {
               listener.accept(new ChatEvent.Understood(id, goal));

@@ -7,15 +7,14 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
-import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.console.documents.AgentsDocument;
 import org.maestro.console.documents.AnswersDocument;
@@ -189,13 +188,10 @@ public final class AclQuestions implements Questions {
   /**
    * States a goal; how it fares is told by its story.
    *
-   * @param deadlineSeconds simulated seconds from now by which it has to be reached
-   * @param person who has signed in at the desk, and for whom it asks
    * @return its id, as soon as it is accepted
    */
-  public CompletableFuture<String> state(
-      String goal, int priority, OptionalDouble deadlineSeconds, Optional<String> person) {
-    return state(goal, priority, deadlineSeconds, person, report -> {});
+  public CompletableFuture<String> state(AskedGoal goal) {
+    return state(goal, report -> {});
   }
 
   /**
@@ -203,12 +199,7 @@ public final class AclQuestions implements Questions {
    *
    * @param ended told once how a goal that was accepted has ended
    */
-  public CompletableFuture<String> state(
-      String goal,
-      int priority,
-      OptionalDouble deadlineSeconds,
-      Optional<String> person,
-      Consumer<GoalReport> ended) {
+  public CompletableFuture<String> state(AskedGoal goal, Consumer<GoalReport> ended) {
     CompletableFuture<String> accepted = new CompletableFuture<>();
     desk.request(
         ACLMessage.REQUEST,
@@ -223,7 +214,7 @@ public final class AclQuestions implements Questions {
             accepted.completeExceptionally(refusal(reply));
           }
         },
-        GoalWords.asked(goal, priority, deadlineSeconds, person));
+        goal.content());
     return accepted;
   }
 

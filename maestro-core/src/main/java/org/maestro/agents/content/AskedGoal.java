@@ -1,0 +1,55 @@
+package org.maestro.agents.content;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Content;
+
+/**
+ * A goal as it is asked for in a message, with all that may be said of it. What is wrong with it is
+ * told by whom it is asked of.
+ *
+ * @param goal in MAESTRO-SL
+ * @param priority 0 is usual; a higher one goes first
+ * @param deadlineSeconds simulated seconds from now by which it has to be reached
+ * @param person for whom the desk asks
+ */
+public record AskedGoal(
+    String goal, int priority, Optional<Double> deadlineSeconds, Optional<String> person) {
+
+  /** A goal of which nothing more is said. */
+  public AskedGoal(String goal) {
+    this(goal, 0, Optional.empty(), Optional.empty());
+  }
+
+  public AskedGoal priority(int other) {
+    return new AskedGoal(goal, other, deadlineSeconds, person);
+  }
+
+  /** From when it is stated on, by the platform's clock. */
+  public AskedGoal deadline(Duration time) {
+    return deadlineSeconds(Optional.of(time.toMillis() / 1000.0));
+  }
+
+  public AskedGoal deadlineSeconds(Optional<Double> seconds) {
+    return new AskedGoal(goal, priority, seconds, person);
+  }
+
+  public AskedGoal person(Optional<String> name) {
+    return new AskedGoal(goal, priority, deadlineSeconds, name);
+  }
+
+  /** The content of the request. */
+  public Content content() {
+    List<Content.Argument> arguments = new ArrayList<>();
+    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+    arguments.add(Words.named("goal", Words.text(goal)));
+    if (priority != 0) {
+      arguments.add(Words.named("priority", Words.number(priority)));
+    }
+    deadlineSeconds.ifPresent(
+        seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
+    return new Content("initCNP", arguments);
+  }
+}
