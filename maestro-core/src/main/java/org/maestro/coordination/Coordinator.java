@@ -41,6 +41,7 @@ import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.PlanRecords;
+import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.planning.api.Step;
@@ -63,6 +64,7 @@ public final class Coordinator {
   private final Ports ports;
   private final JournaledDispatcher dispatcher;
   private final Roster roster = new Roster();
+  private final Appraisals appraisals;
   private final ActiveGoals activeGoals;
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
@@ -91,7 +93,8 @@ public final class Coordinator {
         new JournaledDispatcher(
             ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(dispatcher);
-    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner());
+    this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
+    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner(), appraisals);
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
@@ -122,7 +125,7 @@ public final class Coordinator {
    */
   public String submit(
       GoalRequest request, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
-    new GoalCheck(ports.knowledge().home()).check(request.goal());
+    new GoalCheck(ports.knowledge().home()).check(request);
     int number = ++lastNumber;
     String id = GoalId.of(prefix, number);
     ports
@@ -193,6 +196,7 @@ public final class Coordinator {
             : reaching.pursuit(request, ports, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
+    appraisals.enter(id, request, standing);
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
   }
@@ -203,8 +207,17 @@ public final class Coordinator {
     ended.put(id, goal);
     dispatcher.over(id);
     ActiveGoal over = pursuits.remove(id);
+    appraisals.ended(goal.request(), goal.outcome());
     explained.put(id, over.decisions());
     planned.put(id, over.plans());
+  }
+
+  private Optional<ActiveGoal> progress(String id) {
+    return Optional.ofNullable(pursuits.get(id));
+  }
+
+  private void ranked(String id, GoalPriority standing) {
+    activeGoals.rank(id, standing);
   }
 
   /** The same, and of held goals only the end is wanted to be known. */
@@ -223,7 +236,10 @@ public final class Coordinator {
   public void resume(
       Recovery recovery, Duration patience, Consumer<HeldNews> news, Consumer<GoalOutcome> told) {
     lastNumber = Math.max(lastNumber, recovery.lastGoalNumber());
-    recovery.ended().forEach(goal -> ended.put(goal.outcome().id(), goal));
+    for (Recovery.EndedGoal goal : recovery.ended()) {
+      ended.put(goal.outcome().id(), goal);
+      appraisals.ended(goal.request(), goal.outcome());
+    }
     if (recovery.goals().isEmpty() && recovery.unwanted().isEmpty()) {
       return;
     }
@@ -374,6 +390,7 @@ public final class Coordinator {
     FactFilter changed = FactFilter.of(change.facts(), ports.knowledge().home().vocabulary());
     activeGoals.run(
         () -> activeGoals.all().forEach(pursuit -> pursuit.knowledgeChanged(change, changed)));
+    appraisals.knowledgeChanged(changed);
   }
 
   private boolean isOfADevice(Source source) {

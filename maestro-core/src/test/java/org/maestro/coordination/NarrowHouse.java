@@ -114,9 +114,11 @@ public final class NarrowHouse implements ActionDispatcher {
   }
 
   public String wish(String goal, int priority, Optional<Duration> deadline) {
-    return coordinator.submit(
-        new GoalRequest(SlParser.formula(goal), "Bob", priority, deadline),
-        outcome -> outcomes.put(outcome.id(), outcome));
+    return wish(new GoalRequest(SlParser.formula(goal), "Bob", priority, deadline));
+  }
+
+  String wish(GoalRequest request) {
+    return coordinator.submit(request, outcome -> outcomes.put(outcome.id(), outcome));
   }
 
   /** Returns whether all wishes have come to an end. */

@@ -25,11 +25,14 @@ class RestartTest {
 
   @BeforeAll
   static void loadHome() throws IOException {
-    home =
-        new HomeLoader()
-            .load(
-                Files.readString(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl")),
-                "bob.ttl");
+    home = bobsHome();
+  }
+
+  static Home bobsHome() throws IOException {
+    return new HomeLoader()
+        .load(
+            Files.readString(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl")),
+            "bob.ttl");
   }
 
   private final PretendHouse house = new PretendHouse(home);

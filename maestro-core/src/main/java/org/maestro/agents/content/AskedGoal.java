@@ -14,17 +14,22 @@ import org.maestro.sl.Content;
  * @param priority 0 is usual; a higher one goes first
  * @param deadlineSeconds simulated seconds from now by which it has to be reached
  * @param person for whom the desk asks
+ * @param stakes what it is worth
  */
 public record AskedGoal(
-    String goal, int priority, Optional<Double> deadlineSeconds, Optional<String> person) {
+    String goal,
+    int priority,
+    Optional<Double> deadlineSeconds,
+    Optional<String> person,
+    AskedStakes stakes) {
 
   /** A goal of which nothing more is said. */
   public AskedGoal(String goal) {
-    this(goal, 0, Optional.empty(), Optional.empty());
+    this(goal, 0, Optional.empty(), Optional.empty(), AskedStakes.NONE);
   }
 
   public AskedGoal priority(int other) {
-    return new AskedGoal(goal, other, deadlineSeconds, person);
+    return new AskedGoal(goal, other, deadlineSeconds, person, stakes);
   }
 
   /** From when it is stated on, by the platform's clock. */
@@ -33,11 +38,29 @@ public record AskedGoal(
   }
 
   public AskedGoal deadlineSeconds(Optional<Double> seconds) {
-    return new AskedGoal(goal, priority, seconds, person);
+    return new AskedGoal(goal, priority, seconds, person, stakes);
   }
 
   public AskedGoal person(Optional<String> name) {
-    return new AskedGoal(goal, priority, deadlineSeconds, name);
+    return new AskedGoal(goal, priority, deadlineSeconds, name, stakes);
+  }
+
+  public AskedGoal stakes(AskedStakes other) {
+    return new AskedGoal(goal, priority, deadlineSeconds, person, other);
+  }
+
+  /**
+   * What it brings to have the goal reached.
+   *
+   * @param benefit a number, or an expression in MAESTRO-SL, in seconds of work
+   */
+  public AskedGoal benefit(String benefit) {
+    return stakes(stakes.benefit(benefit));
+  }
+
+  /** The time within which its urgency grows to the highest. */
+  public AskedGoal allowed(Duration time) {
+    return stakes(stakes.allowed(time.toMillis() / 1000.0));
   }
 
   /** The content of the request. */
@@ -50,6 +73,7 @@ public record AskedGoal(
     }
     deadlineSeconds.ifPresent(
         seconds -> arguments.add(Words.named("deadline", Words.number(seconds))));
+    arguments.addAll(stakes.arguments());
     return new Content("initCNP", arguments);
   }
 }

@@ -15,13 +15,14 @@ import org.maestro.sl.Term;
 
 /** Goals in messages: how they are asked for and listed. */
 public final class GoalWords {
-  private static final Duration LATEST = Duration.ofDays(3_653);
+  static final long LATEST_SECONDS = Duration.ofDays(3_653).toSeconds();
 
   private GoalWords() {}
 
   /**
    * Reads {@code (:priority 5)} and {@code (:deadline 60)}, the latter in simulated seconds from
-   * now.
+   * now, and what the goal is worth: {@code (:benefit 60)}, {@code (:chance 0.8)}, {@code (:allowed
+   * 600)}, {@code (:urgency 1 10)}.
    *
    * @throws InvalidGoalException when one of them is no number that makes sense
    */
@@ -37,7 +38,7 @@ public final class GoalWords {
       throw new InvalidGoalException(
           "The deadline is over before the goal begins; write seconds above 0, such as 60.");
     }
-    if (deadline.isPresent() && deadline.get() > LATEST.toSeconds()) {
+    if (deadline.isPresent() && deadline.get() > LATEST_SECONDS) {
       throw new InvalidGoalException(
           "The deadline is more than ten years away; leave it away, or write seconds, such as 60.");
     }
@@ -45,10 +46,11 @@ public final class GoalWords {
         goal,
         requester,
         priority.map(Double::intValue).orElse(0),
-        deadline.map(seconds -> now.plusMillis(Math.round(seconds * 1000))));
+        deadline.map(seconds -> now.plusMillis(Math.round(seconds * 1000))),
+        WorthWords.stakes(words));
   }
 
-  private static Optional<Double> number(Words words, String name, String wanted) {
+  static Optional<Double> number(Words words, String name, String wanted) {
     Optional<Term> term = words.term(name);
     if (term.isPresent() && !(term.get() instanceof Term.Number)) {
       throw new InvalidGoalException(
@@ -68,10 +70,11 @@ public final class GoalWords {
     goal.timeLeft().ifPresent(left -> arguments.add(Words.named("deadline", seconds(left))));
     arguments.add(Words.named("age", seconds(goal.age())));
     arguments.add(Words.named("waits", goal.waits().stream().map(GoalWords::edge).toList()));
+    goal.worth().ifPresent(worth -> arguments.add(WorthWords.told(worth)));
     return new Content("inform", arguments);
   }
 
-  private static Content.Argument seconds(Duration duration) {
+  static Content.Argument seconds(Duration duration) {
     return Words.number(duration.toMillis() / 1000.0);
   }
 

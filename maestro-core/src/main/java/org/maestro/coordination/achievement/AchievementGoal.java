@@ -1,8 +1,10 @@
 package org.maestro.coordination.achievement;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.allocation.PlanningRound;
@@ -191,6 +193,7 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   @Override
   public void advance() {
     following.advance();
+    ending.advance();
   }
 
   @Override
@@ -209,13 +212,9 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public int priority() {
-    return life.request().priority();
-  }
-
-  @Override
   public GoalStatus status() {
-    return life.status(parts.activeGoals().leases().waitsOf(life.id()));
+    return life.status(parts.activeGoals().leases().waitsOf(life.id()))
+        .worth(parts.activeGoals().appraisals().find(life.id()));
   }
 
   @Override
@@ -260,6 +259,18 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   @Override
   public double remainingSeconds() {
     return parts.plan().remaining().stream().mapToDouble(Step::seconds).sum();
+  }
+
+  @Override
+  public OptionalDouble remainingCost() {
+    return parts.plan().exists()
+        ? OptionalDouble.of(parts.plan().remaining().stream().mapToDouble(Step::cost).sum())
+        : OptionalDouble.empty();
+  }
+
+  @Override
+  public Duration pursuedSince() {
+    return life.submittedAt();
   }
 
   @Override

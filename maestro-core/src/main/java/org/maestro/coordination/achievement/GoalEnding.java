@@ -10,8 +10,11 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.SearchReport;
 import org.maestro.coordination.api.Sentences;
+import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
@@ -133,6 +136,11 @@ final class GoalEnding {
   }
 
   private void awaitOrGiveUp() {
+    List<ActiveGoal> keepers = monitor.lessons().keepersThatMayTurn();
+    if (!keepers.isEmpty()) {
+      awaitTurnOf(keepers);
+      return;
+    }
     PlanningResult result = hopeless.orElseThrow().result();
     Set<String> missed = awaited.missed(result);
     if (missed.isEmpty()) {
@@ -149,6 +157,46 @@ final class GoalEnding {
             .collect(Collectors.joining(", "));
     life.become(GoalPhase.WAITING_FOR_MEMBERS, members);
     story.awaits(members, atMost);
+  }
+
+  /** What they are worth changes: there is a plan as soon as this goal goes before one of them. */
+  private void awaitTurnOf(List<ActiveGoal> keepers) {
+    List<WaitsFor> edges =
+        keepers.stream()
+            .map(
+                keeper ->
+                    new WaitsFor(
+                        life.id(), Resource.fact(keeper.status().goal() + " is kept"), keeper.id()))
+            .toList();
+    parts.activeGoals().leases().waitFor(life.id(), Set.of(), edges);
+    life.become(
+        GoalPhase.WAITING_FOR_RANK,
+        keepers.stream()
+            .map(
+                keeper ->
+                    keeper.id()
+                        + " goes first"
+                        + parts.activeGoals().whyFirst(keeper.id(), life.id()))
+            .collect(Collectors.joining(", ")));
+    story.waits(edges);
+  }
+
+  /** What it, or one that it waits for, is worth may be another. */
+  void advance() {
+    if (life.phase() != GoalPhase.WAITING_FOR_RANK) {
+      return;
+    }
+    List<ActiveGoal> keepers = monitor.lessons().keepersThatMayTurn();
+    List<ActiveGoal> outranked =
+        keepers.stream()
+            .filter(keeper -> !parts.activeGoals().goesOnBefore(keeper.id(), life.id()))
+            .toList();
+    if (!outranked.isEmpty()) {
+      outranked.forEach(monitor.lessons()::leaveAloneNoMore);
+      course.makePlan(Optional.of("it goes before " + outranked.get(0).id() + " now"));
+    } else if (keepers.isEmpty()) {
+      course.makePlan(Optional.of("nothing is kept any more that it would end"));
+    }
   }
 
   private void goOn(String why) {

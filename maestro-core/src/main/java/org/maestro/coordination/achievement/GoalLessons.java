@@ -41,6 +41,7 @@ final class GoalLessons {
   private static final Set<PlanningResult.Obstacle.Kind> LEFT_OPEN =
       Set.of(PlanningResult.Obstacle.Kind.UNKNOWN, PlanningResult.Obstacle.Kind.FACT);
 
+  private final String goalId;
   private final Ports ports;
   private final ActiveGoals activeGoals;
   private final FailureMemory failures;
@@ -55,6 +56,7 @@ final class GoalLessons {
   private final FactFilter leftOpen;
 
   GoalLessons(String goalId, Ports ports, ActiveGoals activeGoals, VainDeeds deeds) {
+    this.goalId = goalId;
     this.ports = ports;
     this.activeGoals = activeGoals;
     this.deeds = deeds;
@@ -161,6 +163,21 @@ final class GoalLessons {
   /** The step would end what another goal keeps for good; as long as it does, nobody does it. */
   void leaveAlone(Step step, String keeper) {
     leftAlone.put(step.key(), keeper);
+  }
+
+  /** Those whose goals are left alone though this one may go before them, now or before long. */
+  List<ActiveGoal> keepersThatMayTurn() {
+    return leftAlone.values().stream()
+        .distinct()
+        .filter(keeper -> activeGoals.mayTurn(goalId, keeper))
+        .flatMap(keeper -> activeGoals.find(keeper).stream())
+        .filter(ActiveGoal::isHolding)
+        .toList();
+  }
+
+  /** What these keep is not left alone any more. */
+  void leaveAloneNoMore(ActiveGoal keeper) {
+    leftAlone.values().removeIf(keeper.id()::equals);
   }
 
   List<String> reasonsOfLeavingAlone() {

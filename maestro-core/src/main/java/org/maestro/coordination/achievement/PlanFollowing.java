@@ -16,7 +16,9 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.api.Worth;
 import org.maestro.coordination.contention.ActiveGoal;
+import org.maestro.coordination.contention.Leases;
 import org.maestro.coordination.contention.PlanUnderway;
 import org.maestro.coordination.contention.Rush;
 import org.maestro.coordination.contention.StepsUnderway;
@@ -79,6 +81,7 @@ final class PlanFollowing {
     plan.adopt(found);
     concern = monitor.concern(found.steps());
     story.plan(life.plans(), found, monitor.isConfirming());
+    weigh();
     Map<String, List<Step>> awards = new TreeMap<>();
     found.steps().forEach(s -> awards.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(awards);
@@ -96,6 +99,17 @@ final class PlanFollowing {
     continueOrSettle();
   }
 
+  private void weigh() {
+    parts.activeGoals().appraisals().planned(life.id(), life.plans() == 1);
+    if (!monitor.isConfirming()) {
+      worth().ifPresent(story::worth);
+    }
+  }
+
+  private Optional<Worth> worth() {
+    return parts.activeGoals().appraisals().find(life.id());
+  }
+
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
     execution.knowledgeChanged(change);
     monitor.lessons().knowledgeChanged();
@@ -106,8 +120,12 @@ final class PlanFollowing {
       return;
     }
     if (life.phase().isResting()) {
-      if (concern.ofGoal(changed)) {
-        settleIfReached();
+      if (concern.ofGoal(changed) && settleIfReached()) {
+        return;
+      }
+      if (life.phase() == GoalPhase.WAITING_FOR_WORTH
+          && concern.indeed(changed, monitor.presentFacts())) {
+        course.makePlan(Optional.of(story.becauseOf(change)));
       }
     } else if (concern.indeed(changed, monitor.presentFacts())) {
       reconsider(() -> story.becauseOf(change));
@@ -157,6 +175,9 @@ final class PlanFollowing {
     if (!isActive() || preemption.isAfterAnother()) {
       return;
     }
+    if (isNotWorthIt()) {
+      return;
+    }
     List<WaitsFor> obstacles = parts.resourceClaims().keepWhatIsWanted();
     if (!obstacles.isEmpty()) {
       preemption.await(parts.resourceClaims().wanted(), obstacles);
@@ -166,6 +187,27 @@ final class PlanFollowing {
     } else if (!preemption.givesWay(parts.resourceClaims().wanted()) && !isHeldBack()) {
       beginSteps();
     }
+  }
+
+  /**
+   * What costs more than it brings is not begun, and not gone on with from a safe point on: what
+   * was spent on it before is no reason (ADE, 4.1; A52). Whether it has been reached is seen in any
+   * case.
+   */
+  private boolean isNotWorthIt() {
+    Optional<Worth> worth = worth().filter(now -> !now.isWorthIt());
+    if (worth.isEmpty()
+        || monitor.isConfirming()
+        || !underway.isEmpty()
+        || parts.resourceClaims().isTied()) {
+      return false;
+    }
+    parts.preemption().rest();
+    if (life.phase() != GoalPhase.WAITING_FOR_WORTH) {
+      life.become(GoalPhase.WAITING_FOR_WORTH, worth.get().deficitInWords());
+      story.notWorthIt(worth.get());
+    }
+    return true;
   }
 
   /** What has begun goes on, and so does what comes before others. */
@@ -220,7 +262,8 @@ final class PlanFollowing {
   }
 
   private void leaveAlone(Step step, ActiveGoal holding) {
-    if (life.request().priority() > holding.priority()) {
+    Leases leases = parts.activeGoals().leases();
+    if (leases.ownStanding(life.id()).outranks(leases.ownStanding(holding.id()))) {
       holding.standBackFor(life.id());
       advance();
     } else {
@@ -256,6 +299,7 @@ final class PlanFollowing {
     List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {
       plan.done(ended.step());
+      parts.activeGoals().appraisals().advanced(life.id());
       monitor
           .lessons()
           .done(ended.step(), ended.factsBefore(), ended.begun(), ended.report().outputs());

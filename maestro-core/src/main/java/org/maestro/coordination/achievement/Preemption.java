@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
@@ -56,11 +57,11 @@ final class Preemption {
 
   /** Whether it has stepped back for one that is not over yet, or has not got its way yet. */
   boolean isAfterAnother() {
-    after = after.filter(other -> activeGoals.find(other).isPresent());
+    after = after.filter(other -> activeGoals.goesOnBefore(other, id()));
     yieldedTo =
         yieldedTo.filter(
             other ->
-                activeGoals.find(other).isPresent()
+                activeGoals.goesOnBefore(other, id())
                     && !activeGoals.leases().waitsOf(other).isEmpty());
     return after.isPresent() || yieldedTo.isPresent();
   }
@@ -120,6 +121,12 @@ final class Preemption {
     return obstacles.stream().map(WaitsFor::inWords).distinct().collect(Collectors.joining(", "));
   }
 
+  /** It waits for nothing and keeps nothing, for as long as it is not worth it. */
+  void rest() {
+    forget();
+    resourceClaims.letGo();
+  }
+
   /** What it waited for is there. */
   void came(boolean confirming) {
     forget();
@@ -132,8 +139,8 @@ final class Preemption {
 
   private void askForWay(List<WaitsFor> obstacles) {
     for (WaitsFor obstacle : obstacles) {
-      int others = activeGoals.leases().standingWithout(obstacle.holder(), id()).priority();
-      if (activeGoals.leases().standing(id()).priority() > others) {
+      GoalPriority others = activeGoals.leases().standingWithout(obstacle.holder(), id());
+      if (activeGoals.leases().standing(id()).outranks(others)) {
         activeGoals.find(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(id()));
       }
     }
@@ -164,7 +171,10 @@ final class Preemption {
     List<WaitsFor> edges = new ArrayList<>();
     contested.forEach(edge -> edges.add(new WaitsFor(id(), edge.resource(), to.get())));
     edges.add(new WaitsFor(id(), Resource.endOf(to.get()), to.get()));
-    suspend(wanted, edges, to.get() + " goes first with " + things(contested));
+    suspend(
+        wanted,
+        edges,
+        to.get() + " goes first with " + things(contested) + activeGoals.whyFirst(to.get(), id()));
     resourceClaims.letGo();
     return true;
   }
@@ -186,7 +196,9 @@ final class Preemption {
   void standBackFor(String other) {
     after = Optional.of(other);
     suspend(
-        Set.of(), List.of(new WaitsFor(id(), Resource.endOf(other), other)), other + " goes first");
+        Set.of(),
+        List.of(new WaitsFor(id(), Resource.endOf(other), other)),
+        other + " goes first" + activeGoals.whyFirst(other, id()));
     resourceClaims.letGo();
   }
 

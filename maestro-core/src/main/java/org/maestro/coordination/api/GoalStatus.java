@@ -11,6 +11,7 @@ import java.util.Optional;
  * @param timeLeft until its deadline; negative when that has passed
  * @param age since it was stated, by the clock
  * @param waits what it waits for, and who has that
+ * @param worth what it is worth now; empty when nobody says what it is worth
  */
 public record GoalStatus(
     String id,
@@ -21,13 +22,33 @@ public record GoalStatus(
     int priority,
     Optional<Duration> timeLeft,
     Duration age,
-    List<WaitsFor> waits) {
+    List<WaitsFor> waits,
+    Optional<Worth> worth) {
   public GoalStatus {
     waits = List.copyOf(waits);
   }
 
+  /** A goal of which nobody says what it is worth. */
+  public GoalStatus(
+      String id,
+      String goal,
+      String requester,
+      GoalState state,
+      String detail,
+      int priority,
+      Optional<Duration> timeLeft,
+      Duration age,
+      List<WaitsFor> waits) {
+    this(id, goal, requester, state, detail, priority, timeLeft, age, waits, Optional.empty());
+  }
+
+  /** The same goal, and what it is worth now. */
+  public GoalStatus worth(Optional<Worth> now) {
+    return new GoalStatus(id, goal, requester, state, detail, priority, timeLeft, age, waits, now);
+  }
+
   /** The same goal in another state. */
   public GoalStatus as(GoalState other, String why) {
-    return new GoalStatus(id, goal, requester, other, why, priority, timeLeft, age, waits);
+    return new GoalStatus(id, goal, requester, other, why, priority, timeLeft, age, waits, worth);
   }
 }

@@ -15,6 +15,8 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
     KNOWN,
     BIDS,
     PLAN,
+    /** What it is worth, by which it goes before others or gives way. */
+    WORTH,
     WAIT,
     STEP,
     DONE,

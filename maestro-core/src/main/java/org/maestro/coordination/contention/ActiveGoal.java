@@ -9,6 +9,7 @@ import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.PlanRecords;
+import org.maestro.coordination.worth.Progress;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.sl.Change;
@@ -18,7 +19,7 @@ import org.maestro.sl.Formula;
  * A goal on its way, to be reached once or to be held, and how others beside it see it. The
  * coordinator's thread only.
  */
-public interface ActiveGoal {
+public interface ActiveGoal extends Progress {
 
   String id();
 
@@ -41,8 +42,6 @@ public interface ActiveGoal {
 
   /** The latest plans, and what became of their steps. */
   PlanRecords plans();
-
-  int priority();
 
   void cancel(String who);
 

@@ -17,6 +17,7 @@ import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
 import org.maestro.coordination.lessons.Experience;
+import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.rats.time.Clock;
@@ -33,10 +34,15 @@ public final class ActiveGoals {
   private final Set<String> woken = new LinkedHashSet<>();
   private final Rush rush;
   private final Experience experience = new Experience();
+  private final Appraisals appraisals;
   private boolean atWork;
 
-  public ActiveGoals(Clock clock, Executor owner) {
-    rush = new Rush(clock, owner, this::wake);
+  /**
+   * @param appraisals of the same goals
+   */
+  public ActiveGoals(Clock clock, Executor owner, Appraisals appraisals) {
+    this.rush = new Rush(clock, owner, this::wake);
+    this.appraisals = appraisals;
   }
 
   public Leases leases() {
@@ -47,6 +53,10 @@ public final class ActiveGoals {
     return rush;
   }
 
+  public Appraisals appraisals() {
+    return appraisals;
+  }
+
   /** What the steps of all of them have shown of members. */
   public Experience experience() {
     return experience;
@@ -54,7 +64,36 @@ public final class ActiveGoals {
 
   public void enter(ActiveGoal pursuit, GoalPriority standing) {
     pursuits.put(pursuit.id(), pursuit);
-    leases.enter(pursuit.id(), standing);
+    leases.enter(pursuit.id(), appraisals.graded(pursuit.id(), standing));
+  }
+
+  /** Its worth is another. */
+  public void rank(String goal, GoalPriority standing) {
+    if (pursuits.containsKey(goal)) {
+      leases.rank(goal, standing);
+    }
+  }
+
+  /** Whether a goal is not over, and the one that stood back for it does not go before it now. */
+  public boolean goesOnBefore(String other, String goal) {
+    return find(other).isPresent() && !leases.ownStanding(goal).outranks(leases.ownStanding(other));
+  }
+
+  /** Whether the one that goes first may be the other before long: by what they are worth. */
+  public boolean mayTurn(String goal, String other) {
+    return leases.ownStanding(goal).priority() == leases.ownStanding(other).priority()
+        && (appraisals.isWeighed(goal) || appraisals.isWeighed(other));
+  }
+
+  /**
+   * Why the one goes before the other, as the end of a sentence, where it is by what they are
+   * worth; else empty.
+   */
+  public String whyFirst(String first, String second) {
+    boolean byWorth =
+        leases.ownStanding(first).priority() == leases.ownStanding(second).priority()
+            && leases.ownStanding(first).outranks(leases.ownStanding(second));
+    return byWorth ? appraisals.comparison(first, second) : "";
   }
 
   /** It is over. */
@@ -111,7 +150,7 @@ public final class ActiveGoals {
 
   private double secondsOf(String goal, ActiveGoal holder, WaitsFor obstacle) {
     boolean givesWay =
-        leases.standing(goal).priority() > leases.standing(holder.id()).priority()
+        leases.standing(goal).outranks(leases.standing(holder.id()))
             && !holder.isTied(obstacle.resource().owner());
     return givesWay ? holder.secondsOfRunningSteps() : holder.remainingSeconds();
   }

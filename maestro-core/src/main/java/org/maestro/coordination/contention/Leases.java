@@ -49,6 +49,13 @@ public final class Leases {
     standings.put(goal, standing);
   }
 
+  /** The goal goes earlier or later than before: what waits for it, or it waits for, may change. */
+  void rank(String goal, GoalPriority standing) {
+    standings.put(goal, standing);
+    wakeThose(edge -> edge.holder().equals(goal));
+    wake.accept(goal);
+  }
+
   /** The goal is over: it waits for nothing and keeps nothing; its steps may still be running. */
   void leave(String goal) {
     stopWaiting(goal);
@@ -278,15 +285,14 @@ public final class Leases {
   }
 
   private GoalPriority standing(String goal, Set<String> passed) {
-    GoalPriority own = ownStanding(goal);
-    int priority = own.priority();
+    GoalPriority raised = ownStanding(goal);
     passed.add(goal);
     for (Map.Entry<String, Wait> wait : waits.entrySet()) {
       if (!passed.contains(wait.getKey())
           && wait.getValue().edges().stream().anyMatch(edge -> edge.holder().equals(goal))) {
-        priority = Math.max(priority, standing(wait.getKey(), passed).priority());
+        raised = raised.raisedTo(standing(wait.getKey(), passed));
       }
     }
-    return own.raisedTo(priority);
+    return raised;
   }
 }

@@ -201,9 +201,14 @@ public final class ResourceClaims {
 
   /** Whether the member carries something for this goal. */
   public boolean isTied(String member) {
+    return isTied() && carried.stream().anyMatch(atom -> isHeldBy(member, atom));
+  }
+
+  /** Whether any member does. */
+  public boolean isTied() {
     Snapshot now = ports.knowledge().snapshot();
     carried.removeIf(atom -> now.truth(atom) == Truth.FALSE);
-    return carried.stream().anyMatch(atom -> isHeldBy(member, atom));
+    return !carried.isEmpty();
   }
 
   /** What is not needed any more by what is left of the plan is let go. */

@@ -114,6 +114,11 @@ public final class FactFilter {
                     fluent -> addRead(fluent.name(), fluent.arguments())));
   }
 
+  /** What the value of an expression without variables depends on. */
+  public void add(Expression expression) {
+    add(expression, Map.of());
+  }
+
   private void add(Expression expression, Map<String, Term> bindings) {
     Leaves.of(
         new Substitution(bindings).apply(expression),
@@ -227,7 +232,7 @@ public final class FactFilter {
   }
 
   /** Whether any of the changed facts is among those that matter here. */
-  boolean isConcernedBy(FactFilter changed) {
+  public boolean isConcernedBy(FactFilter changed) {
     return changed.subjects.keySet().stream()
             .anyMatch(name -> subjects.getOrDefault(name, Set.of()).contains(ANY))
         || isNamedBy(changed);

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.GoalOutcome;
@@ -59,6 +60,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   private final NextLook nextLook;
 
   private Evidence evidence = Evidence.OBSERVED;
+  private Duration wantingSince;
 
   public MaintenanceGoal(
       Wish wish,
@@ -75,6 +77,7 @@ public final class MaintenanceGoal implements ActiveGoal {
     this.watch = new Watch(condition.body());
     this.story = new HeldStory(wish.id(), ports);
     this.life = new GoalLife(wish.id(), wish.request(), ports, story.goal(), ended);
+    this.wantingSince = life.submittedAt();
     this.settings = new OwnSettings(wish.id(), ports.journal());
     this.attempts = new AttemptJournal(wish.id(), ports.journal());
     this.working = working();
@@ -133,6 +136,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   @Override
   public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
     life.takeUp(goal);
+    wantingSince = life.submittedAt();
     life.become(GoalPhase.RECOVERING, awaited);
     holding.takeUp(goal.memory().everHeld());
     work.bringAbout(condition.body(), working, this::broughtAbout).prepareToTakeUp(goal, awaited);
@@ -156,13 +160,9 @@ public final class MaintenanceGoal implements ActiveGoal {
   }
 
   @Override
-  public int priority() {
-    return wish.request().priority();
-  }
-
-  @Override
   public GoalStatus status() {
-    GoalStatus own = life.status(activeGoals.leases().waitsOf(id()));
+    GoalStatus own =
+        life.status(activeGoals.leases().waitsOf(id())).worth(activeGoals.appraisals().find(id()));
     return work.bringingAbout()
         .filter(pursuit -> !own.state().isFinal())
         .map(ActiveGoal::status)
@@ -264,6 +264,16 @@ public final class MaintenanceGoal implements ActiveGoal {
   }
 
   @Override
+  public OptionalDouble remainingCost() {
+    return work.current().map(ActiveGoal::remainingCost).orElseGet(OptionalDouble::empty);
+  }
+
+  @Override
+  public Duration pursuedSince() {
+    return isHolding() ? ports.clock().now() : wantingSince;
+  }
+
+  @Override
   public double secondsOfRunningSteps() {
     return work.seconds(ActiveGoal::secondsOfRunningSteps);
   }
@@ -338,6 +348,7 @@ public final class MaintenanceGoal implements ActiveGoal {
   /** What is not so by what is observed now may only lack an observer. */
   private void noteLoss() {
     if (holding.isSo() && !condition.isSo(ports.knowledge())) {
+      wantingSince = ports.clock().now();
       holding.ceases();
     }
   }

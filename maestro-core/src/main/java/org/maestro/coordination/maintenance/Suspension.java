@@ -29,7 +29,7 @@ final class Suspension {
 
   void begin(String other) {
     suspendedFor = Optional.of(other);
-    String why = other + " goes first";
+    String why = other + " goes first" + activeGoals.whyFirst(other, goalId);
     activeGoals
         .leases()
         .waitFor(goalId, Set.of(), List.of(new WaitsFor(goalId, Resource.endOf(other), other)));
@@ -37,12 +37,12 @@ final class Suspension {
     story.suspended(why);
   }
 
-  /** Whether the other is not over; when it is, the rest has an end too. */
+  /** Whether the other is not over, and still goes first; else the rest has an end too. */
   boolean goesOn() {
     if (suspendedFor.isEmpty()) {
       return false;
     }
-    if (suspendedFor.flatMap(activeGoals::find).isPresent()) {
+    if (suspendedFor.filter(other -> activeGoals.goesOnBefore(other, goalId)).isPresent()) {
       return true;
     }
     suspendedFor = Optional.empty();

@@ -60,6 +60,11 @@ public final class GoalLife {
     return request;
   }
 
+  /** By the clock; before its start for a goal that was taken up. */
+  public Duration submittedAt() {
+    return submittedAt;
+  }
+
   public GoalState state() {
     return state;
   }

@@ -24,6 +24,8 @@ public enum GoalPhase {
   WAITING_FOR_TURN(GoalState.WAITING, "Another has what its plan needs."),
   WAITING_FOR_STEP(GoalState.WAITING, "A step needs a thing in use, or would spoil a fact."),
   WAITING_FOR_PLANS(GoalState.WAITING, "The goals stated with it are planned first."),
+  WAITING_FOR_WORTH(GoalState.WAITING, "It costs more than it brings, as things are."),
+  WAITING_FOR_RANK(GoalState.WAITING, "There is no plan beside what another keeps, for now."),
   WAITING_FOR_STEPS(GoalState.WAITING, "There is no plan; its own steps have to end first."),
   WAITING_FOR_CERTAINTY(GoalState.WAITING, "There is no plan; it is in doubt who is there."),
   WAITING_FOR_MEMBERS(GoalState.WAITING, "There is no plan; who was lost just now may come back."),
@@ -74,6 +76,7 @@ public enum GoalPhase {
               LOOKING,
               REPLANNING,
               PLANNING_TO_SEE,
+              WAITING_FOR_RANK,
               WAITING_FOR_STEPS,
               WAITING_FOR_CERTAINTY,
               WAITING_FOR_MEMBERS,
@@ -89,13 +92,21 @@ public enum GoalPhase {
               WAITING_FOR_TURN,
               WAITING_FOR_STEP,
               WAITING_FOR_PLANS,
+              WAITING_FOR_WORTH,
               LISTENING,
               ASKING,
               SUSPENDED,
               ENDING);
-      case HALTING, WAITING_FOR_TURN ->
+      case HALTING, WAITING_FOR_TURN, WAITING_FOR_WORTH ->
           EnumSet.of(
-              RUNNING, LOOKING, WAITING_FOR_TURN, REPLANNING, PLANNING_TO_SEE, SUSPENDED, ENDING);
+              RUNNING,
+              LOOKING,
+              WAITING_FOR_TURN,
+              WAITING_FOR_WORTH,
+              REPLANNING,
+              PLANNING_TO_SEE,
+              SUSPENDED,
+              ENDING);
       case WAITING_FOR_STEP, WAITING_FOR_PLANS ->
           EnumSet.of(
               RUNNING,
@@ -104,13 +115,18 @@ public enum GoalPhase {
               WAITING_FOR_PLANS,
               HALTING,
               WAITING_FOR_TURN,
+              WAITING_FOR_WORTH,
               REPLANNING,
               PLANNING_TO_SEE,
               LISTENING,
               ASKING,
               SUSPENDED,
               ENDING);
-      case WAITING_FOR_STEPS, WAITING_FOR_CERTAINTY, WAITING_FOR_MEMBERS, WAITING_FOR_ANOTHER_TRY ->
+      case WAITING_FOR_RANK,
+          WAITING_FOR_STEPS,
+          WAITING_FOR_CERTAINTY,
+          WAITING_FOR_MEMBERS,
+          WAITING_FOR_ANOTHER_TRY ->
           EnumSet.of(REPLANNING, PLANNING_TO_SEE, LISTENING, ASKING, ENDING);
       case LISTENING, ASKING -> EnumSet.of(REPLANNING, PLANNING_TO_SEE, ENDING);
       case SUSPENDED ->
@@ -118,6 +134,7 @@ public enum GoalPhase {
               SUSPENDED,
               RUNNING,
               LOOKING,
+              WAITING_FOR_WORTH,
               REPLANNING,
               PLANNING_TO_SEE,
               LISTENING,
@@ -142,7 +159,10 @@ public enum GoalPhase {
 
   /** Whether it has no turn now, and its plan rests. */
   public boolean isResting() {
-    return this == HALTING || this == WAITING_FOR_TURN || this == SUSPENDED;
+    return this == HALTING
+        || this == WAITING_FOR_TURN
+        || this == WAITING_FOR_WORTH
+        || this == SUSPENDED;
   }
 
   /** Whether nothing is begun any more. */

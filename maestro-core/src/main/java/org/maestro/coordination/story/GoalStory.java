@@ -18,6 +18,7 @@ import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.api.Worth;
 import org.maestro.coordination.facts.Confirmation;
 import org.maestro.coordination.lessons.Insistence;
 import org.maestro.knowledge.api.Belief;
@@ -137,6 +138,23 @@ public final class GoalStory {
         StoryEntry.Kind.WAIT,
         "There is no other way, and it is not given up yet: it is waited %s, %d s at most."
             .formatted(members, atMost.toSeconds()));
+  }
+
+  public void worth(Worth worth) {
+    tell(StoryEntry.Kind.WORTH, "Worth: " + worth.inWords() + learned(worth) + ".");
+  }
+
+  private static String learned(Worth worth) {
+    return worth.tried() == 0
+        ? " (nothing like it was tried)"
+        : " (p from %d like it)".formatted(worth.tried());
+  }
+
+  public void notWorthIt(Worth worth) {
+    tell(
+        StoryEntry.Kind.WORTH,
+        "It is %s; it is begun when its benefit, its chance or its cost is another."
+            .formatted(worth.deficitInWords()));
   }
 
   public void suspended(String why) {

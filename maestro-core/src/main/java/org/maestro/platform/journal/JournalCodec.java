@@ -25,6 +25,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.journal.JournalImage.Dated;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Formula;
@@ -60,6 +61,7 @@ final class JournalCodec {
       line.put("requester", submitted.request().requester());
       line.put("priority", submitted.request().priority());
       submitted.request().deadline().ifPresent(at -> line.put("deadline_s", seconds(at)));
+      submitted.request().stakes().ifPresent(stakes -> stakes(line.putObject("stakes"), stakes));
     } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
       event(line, "withdrawn", withdrawn.goalId());
     } else if (entry instanceof JournalEntry.Became became) {
@@ -98,6 +100,25 @@ final class JournalCodec {
       line.put("event", "went").put("member", went.member()).put("reason", went.reason());
     }
     return line;
+  }
+
+  private static void stakes(ObjectNode node, Stakes stakes) {
+    node.put("benefit", SlPrinter.print(stakes.benefit()));
+    node.put("chance", stakes.chance());
+    stakes.allowed().ifPresent(time -> node.put("allowed_s", seconds(time)));
+    node.put("urgency_from", stakes.urgencyFrom());
+    node.put("urgency_to", stakes.urgencyTo());
+  }
+
+  private static Stakes readStakes(JsonNode node) {
+    return new Stakes(
+        SlParser.expression(node.path("benefit").asText()),
+        node.path("chance").asDouble(),
+        Optional.of(node.path("allowed_s"))
+            .filter(JsonNode::isNumber)
+            .map(seconds -> Duration.ofMillis(Math.round(seconds.asDouble() * 1000))),
+        node.path("urgency_from").asDouble(),
+        node.path("urgency_to").asDouble());
   }
 
   static ObjectNode event(ObjectNode line, String event, String goalId) {
@@ -190,7 +211,10 @@ final class JournalCodec {
                   line.path("priority").asInt(),
                   Optional.of(line)
                       .filter(l -> l.has("deadline_s"))
-                      .map(l -> time(l, "deadline_s", from, to))));
+                      .map(l -> time(l, "deadline_s", from, to)),
+                  Optional.of(line.path("stakes"))
+                      .filter(JsonNode::isObject)
+                      .map(JournalCodec::readStakes)));
       case "withdrawn" -> new JournalEntry.Withdrawn(goal);
       case "became" ->
           new JournalEntry.Became(
