@@ -127,6 +127,23 @@ class WeighedGoalsTest {
     assertThat(house.outcomes.get(wish).reached()).as(house.told()).isTrue();
   }
 
+  /** It is looked at now and then, for as long as it takes, and not at each step of a robot. */
+  @Test
+  void whatIsNotWorthItNowOutlastsAllChanges() {
+    String wish = house.wish(request("(in Cup zone-c)", stakes("(* 10 (charge rose))")));
+    house.knowledge.state(new Source(Source.Kind.STATED, "meter"), List.of("(= (charge rose) 1)"));
+    for (int i = 0; i < 4_000; i++) {
+      house.clock.run(Duration.ofSeconds(1));
+      house.with("rose", i % 2 == 0 ? "zone-b" : "zone-a").with("Cup", "zone-b");
+    }
+
+    assertThat(house.state(wish)).as(house.told()).isEqualTo(GoalState.WAITING);
+    assertThat(house.status(wish).detail()).startsWith("not worth it: 8 against 1");
+    assertThat(house.calls).isEmpty();
+    long plans = house.story.stream().filter(told -> told.contains(" PLAN ")).count();
+    assertThat(plans).isBetween(60L, 140L);
+  }
+
   @Test
   void theChanceIsLearnedFromGoalsOfTheSameShape() {
     String first = house.wish(request("(in Cup zone-c)", stakes("100")));

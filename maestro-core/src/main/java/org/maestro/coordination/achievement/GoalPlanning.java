@@ -81,6 +81,9 @@ final class GoalPlanning {
       placesLookedAt = parts.monitor().lessons().placesLookedAt();
       plansBefore = life.plans();
     }
+    if (life.phase() == GoalPhase.WAITING_FOR_WORTH || life.phase() == GoalPhase.WAITING_FOR_RANK) {
+      plansBefore = life.plans();
+    }
     if (life.plans() - plansBefore >= MOST_PLANS) {
       course.giveUp(
           List.of("It was planned " + life.plans() + " times without getting there; given up."));

@@ -16,7 +16,6 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
-import org.maestro.coordination.api.Worth;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.Leases;
 import org.maestro.coordination.contention.PlanUnderway;
@@ -46,6 +45,7 @@ final class PlanFollowing {
   private final GoalStory story;
   private final GoalTransitions course;
   private final StepExecution execution;
+  private final Worthiness worthiness;
   private final TakeoverOffers offers = new TakeoverOffers();
   private ReplanTriggers concern;
   private long ownChange = -1;
@@ -62,6 +62,7 @@ final class PlanFollowing {
     this.concern = monitor.concern(List.of());
     this.lookedAt = monitor.look();
     this.execution = new StepExecution(parts, this::stepEnded);
+    this.worthiness = new Worthiness(parts, course);
   }
 
   void takeUp(ActionDispatcher.Request order) {
@@ -81,7 +82,7 @@ final class PlanFollowing {
     plan.adopt(found);
     concern = monitor.concern(found.steps());
     story.plan(life.plans(), found, monitor.isConfirming());
-    weigh();
+    worthiness.planned();
     Map<String, List<Step>> awards = new TreeMap<>();
     found.steps().forEach(s -> awards.computeIfAbsent(s.member(), m -> new ArrayList<>()).add(s));
     tender.award(awards);
@@ -99,17 +100,6 @@ final class PlanFollowing {
     continueOrSettle();
   }
 
-  private void weigh() {
-    parts.activeGoals().appraisals().planned(life.id(), life.plans() == 1);
-    if (!monitor.isConfirming()) {
-      worth().ifPresent(story::worth);
-    }
-  }
-
-  private Optional<Worth> worth() {
-    return parts.activeGoals().appraisals().find(life.id());
-  }
-
   void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
     execution.knowledgeChanged(change);
     monitor.lessons().knowledgeChanged();
@@ -123,9 +113,8 @@ final class PlanFollowing {
       if (concern.ofGoal(changed) && settleIfReached()) {
         return;
       }
-      if (life.phase() == GoalPhase.WAITING_FOR_WORTH
-          && concern.indeed(changed, monitor.presentFacts())) {
-        course.makePlan(Optional.of(story.becauseOf(change)));
+      if (concern.indeed(changed, monitor.presentFacts())) {
+        worthiness.mayCostLess();
       }
     } else if (concern.indeed(changed, monitor.presentFacts())) {
       reconsider(() -> story.becauseOf(change));
@@ -172,10 +161,7 @@ final class PlanFollowing {
 
   void advance() {
     Preemption preemption = parts.preemption();
-    if (!isActive() || preemption.isAfterAnother()) {
-      return;
-    }
-    if (isNotWorthIt()) {
+    if (!isActive() || preemption.isAfterAnother() || worthiness.isWanting()) {
       return;
     }
     List<WaitsFor> obstacles = parts.resourceClaims().keepWhatIsWanted();
@@ -187,27 +173,6 @@ final class PlanFollowing {
     } else if (!preemption.givesWay(parts.resourceClaims().wanted()) && !isHeldBack()) {
       beginSteps();
     }
-  }
-
-  /**
-   * What costs more than it brings is not begun, and not gone on with from a safe point on: what
-   * was spent on it before is no reason (ADE, 4.1; A52). Whether it has been reached is seen in any
-   * case.
-   */
-  private boolean isNotWorthIt() {
-    Optional<Worth> worth = worth().filter(now -> !now.isWorthIt());
-    if (worth.isEmpty()
-        || monitor.isConfirming()
-        || !underway.isEmpty()
-        || parts.resourceClaims().isTied()) {
-      return false;
-    }
-    parts.preemption().rest();
-    if (life.phase() != GoalPhase.WAITING_FOR_WORTH) {
-      life.become(GoalPhase.WAITING_FOR_WORTH, worth.get().deficitInWords());
-      story.notWorthIt(worth.get());
-    }
-    return true;
   }
 
   /** What has begun goes on, and so does what comes before others. */
@@ -299,7 +264,7 @@ final class PlanFollowing {
     List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {
       plan.done(ended.step());
-      parts.activeGoals().appraisals().advanced(life.id());
+      worthiness.advanced();
       monitor
           .lessons()
           .done(ended.step(), ended.factsBefore(), ended.begun(), ended.report().outputs());

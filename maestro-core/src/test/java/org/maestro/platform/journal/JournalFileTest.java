@@ -29,6 +29,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.SearchReport;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.journal.JournalImage;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.planning.api.StepKey;
@@ -107,7 +108,14 @@ class JournalFileTest {
                 SlParser.formula("(exists (?z - Zone) (in Cup ?z))"),
                 "Anna",
                 7,
-                Optional.of(Duration.ofSeconds(90)))),
+                Optional.of(Duration.ofSeconds(90)),
+                Optional.of(
+                    new Stakes(
+                        SlParser.expression("(+ 40 (level lamp))"),
+                        0.5,
+                        Optional.of(Duration.ofMinutes(5)),
+                        2,
+                        4)))),
         new JournalEntry.Became("G1", GoalState.RUNNING, "", new GoalEffort(2, 1, 0)),
         new JournalEntry.Keeps(
             "G1",

@@ -46,7 +46,8 @@ final class EventHub implements EventSource, AutoCloseable {
   static final Duration LOOK = Duration.ofSeconds(1);
 
   /** What goes on by itself is nothing new. */
-  private static final List<String> AGES = List.of("age_s", "silence_s");
+  private static final List<String> AGES =
+      List.of("age_s", "silence_s", "elapsed_s", "urgency", "weight");
 
   private final Questions questions;
   private final KnowledgeBase knowledge;

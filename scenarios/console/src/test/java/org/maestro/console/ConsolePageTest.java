@@ -113,6 +113,26 @@ class ConsolePageTest {
   }
 
   @Test
+  void aGoalIsStatedWithItsBenefit() {
+    browser.go(home.uri() + "/#view=goals");
+    WebElement entry = browser.waitFor("#goal-input");
+    entry.sendKeys("(keep (>= (illuminance zone-a) 11))");
+    browser.waitFor("#goal-benefit").sendKeys("much", Keys.ENTER);
+    browser.waitForText("#goal-problem", "The benefit is no number");
+
+    browser.waitFor("#goal-benefit").clear();
+    browser.waitFor("#goal-benefit").sendKeys("(* 2 250)", Keys.ENTER);
+
+    browser.waitFor("#goal-list [title^='u = '][title*='·500 − ']");
+    browser.waitForText("#detail", "Cancel goal");
+    assertThat(browser.waitFor("#goal-benefit").getDomProperty("value")).isEmpty();
+    browser.run(
+        "[...document.querySelectorAll('#detail button')]"
+            + ".find(button => button.textContent === 'Cancel goal').click()");
+    browser.waitForText("#goal-list", "cancelled");
+  }
+
+  @Test
   void aGoalIsMadeOfATemplate() {
     browser.go(home.uri() + "/#view=goals");
     browser.waitForText("#goal-template", "nextTo");

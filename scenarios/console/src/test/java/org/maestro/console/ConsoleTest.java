@@ -2,6 +2,7 @@ package org.maestro.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -108,6 +109,40 @@ class ConsoleTest {
   }
 
   @Test
+  void aGoalIsWeighed() throws Exception {
+    ServedHome.Answer stated =
+        home.post(
+            "/goals",
+            "{\"goal\": \"(keep (>= (illuminance zone-a) 10))\", \"benefit\": \"(* 2 30)\","
+                + " \"chance\": 0.5, \"allowed_s\": 600}");
+    String id = stated.document().path("id").asText();
+    await(() -> state(id).equals("holding"));
+
+    JsonNode goals = home.get("/goals").document();
+    assertValid(goals, "goals");
+    JsonNode worth = row(goals, id).path("worth");
+    assertThat(worth.path("benefit").asDouble()).isEqualTo(60);
+    assertThat(worth.path("utility").asDouble())
+        .isCloseTo(
+            worth.path("chance").asDouble() * 60 - worth.path("cost").asDouble(), within(1e-6));
+    assertThat(worth.path("weight").asDouble())
+        .isCloseTo(
+            worth.path("utility").asDouble() * worth.path("urgency").asDouble(), within(1e-6));
+    home.delete("/goals/" + id);
+    await(() -> state(id).equals("cancelled"));
+    assertThat(row(home.get("/goals").document(), id).path("worth").isNull()).isTrue();
+  }
+
+  private static JsonNode row(JsonNode goals, String id) {
+    for (JsonNode row : goals.path("goals")) {
+      if (row.path("id").asText().equals(id)) {
+        return row;
+      }
+    }
+    throw new AssertionError("there is no " + id);
+  }
+
+  @Test
   void aGoalIsGivenUp() throws Exception {
     String id = home.state("(keep (>= (illuminance zone-a) 10))");
     await(() -> state(id).equals("holding"));
@@ -160,13 +195,16 @@ class ConsoleTest {
       delimiter = '|',
       value = {
         "{}                                  | The member goal is missing.",
-        "[]                                  | has to be an object with goal, priority, deadline_s.",
+        "[]                                  | has to be an object with goal, priority, deadline_s, benefit,",
         "{\"gaol\": \"x\"}                   | There is no member gaol here",
         "{\"goal\": 7}                       | The member goal is a text.",
         "{\"goal\": null}                    | The member goal is a text.",
         "{\"goal\": \"x\", \"priority\": 1.5} | The member priority is a whole number.",
         "{\"goal\": \"x\", \"priority\": 1e99} | The member priority is a whole number.",
         "{\"goal\": \"x\", \"deadline_s\": \"soon\"} | The member deadline_s is a number or null.",
+        "{\"goal\": \"(canSee ?who Bob)\", \"benefit\": \"(+ 4\"} | The benefit is no number",
+        "{\"goal\": \"(canSee ?who Bob)\", \"benefit\": true} | The member benefit is",
+        "{\"goal\": \"(canSee ?who Bob)\", \"benefit\": 6, \"chance\": 2} | is not from 0 to 1",
         "{\"goal\": \"(canSee\"}             | was expected, but found the end of the text.",
         "{\"goal\": \"(canSe ?who Bob)\"}    | write canSee, if that is meant",
         "{\"goal\": \"(canSee ?who Bob)\"    | is no JSON document",

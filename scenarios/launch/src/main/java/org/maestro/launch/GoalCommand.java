@@ -83,6 +83,8 @@ final class GoalCommand implements Callable<Integer> {
       description = "Simulated seconds from now by which it has to be reached; else it fails.")
   private Optional<Double> deadlineSeconds = Optional.empty();
 
+  @Mixin private StakesOptions stakes;
+
   /** The last line of a story is on its way when the goal has ended; it comes by itself. */
   private static final Duration STORY_ENDS = Duration.ofSeconds(2);
 
@@ -312,7 +314,11 @@ final class GoalCommand implements Callable<Integer> {
     if (stated || resumes) {
       return Words.content("await", Words.named("goal", Words.name(resumes ? id : goal)));
     }
-    return new AskedGoal(goal).priority(priority).deadlineSeconds(deadlineSeconds).content();
+    return new AskedGoal(goal)
+        .priority(priority)
+        .deadlineSeconds(deadlineSeconds)
+        .stakes(stakes.asked())
+        .content();
   }
 
   private void follow(JoinedContainer container, ACLMessage agreed) {

@@ -20,8 +20,16 @@ final class GoalsCommand implements Callable<Integer> {
       List.of(
           "id", "goal", "requester", "state", "priority", "deadline", "age", "waits for", "detail");
 
+  private static final List<String> WORTH_COLUMNS =
+      List.of("id", "goal", "state", "priority", "u·g", "u = p·b − c", "g", "detail");
+
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
+
+  @Option(
+      names = "--worth",
+      description = "Tell what each is worth, and the numbers that this comes from.")
+  private boolean worth;
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
@@ -37,7 +45,10 @@ final class GoalsCommand implements Callable<Integer> {
       } else if (goals.isEmpty()) {
         out.println("No goal was stated yet; try ./maestro goal \"(nextTo Cup Bob)\"");
       } else {
-        new Table(COLUMNS, JsonRows.of(goals, GoalsCommand::row)).print(out);
+        (worth
+                ? new Table(WORTH_COLUMNS, JsonRows.of(goals, WorthRow::of))
+                : new Table(COLUMNS, JsonRows.of(goals, GoalsCommand::row)))
+            .print(out);
       }
       return ExitCode.DONE;
     }

@@ -34,13 +34,27 @@ class JsonOfPlatformTest {
       JsonNode reached = document("goal", 0, "goal", "(canSee ?who Bob)");
       assertThat(reached.path("simulated_s").isNumber()).isTrue();
       assertThat(reached.at("/binding/who").asText()).startsWith("cam-");
-      JsonNode held = document("goal", 0, "goal", "(keep (>= (illuminance zone-a) 10))");
+      JsonNode held =
+          document(
+              "goal",
+              0,
+              "goal",
+              "(keep (>= (illuminance zone-a) 10))",
+              "--benefit",
+              "(* 2 30)",
+              "--allowed",
+              "600",
+              "--urgency",
+              "1..5");
       assertThat(held.path("held").asBoolean()).isTrue();
       assertThat(held.path("calls").isNull()).isTrue();
       JsonNode goals = document("goals", 0, "goals").path("goals");
       assertThat(goals.findValuesAsText("state")).containsExactly("achieved", "holding");
       assertThat(goals.at("/1/age_s").isNumber()).isTrue();
       assertThat(goals.at("/1/deadline_s").isNull()).isTrue();
+      assertThat(goals.at("/1/worth/benefit").asDouble()).isEqualTo(60);
+      assertThat(goals.at("/1/worth/allowed_s").asDouble()).isEqualTo(600);
+      assertThat(goals.at("/1/worth/urgency_to").asDouble()).isEqualTo(5);
 
       JsonNode seen = document("know", 0, "know", "(position rose ?at)").at("/answers/0");
       assertThat(seen.at("/binding/at").isArray()).isTrue();

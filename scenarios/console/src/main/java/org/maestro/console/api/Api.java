@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.maestro.agents.content.AskedGoal;
+import org.maestro.agents.content.AskedStakes;
 import org.maestro.console.api.Operation.Method;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.api.Operation.Request;
@@ -255,6 +256,7 @@ public final class Api {
             new AskedGoal(asked.path("goal").asText())
                 .priority(asked.path("priority").asInt())
                 .deadlineSeconds(number(asked, "deadline_s"))
+                .stakes(stakes(asked))
                 .person(request.visit().person()))
         .thenApply(id -> JsonMembers.empty().text("id", id).node());
   }
@@ -270,6 +272,17 @@ public final class Api {
             text(asked, "as"),
             text(asked, "container"),
             needs));
+  }
+
+  private static AskedStakes stakes(JsonNode asked) {
+    return new AskedStakes(
+        Optional.of(asked.path("benefit"))
+            .filter(benefit -> !benefit.isMissingNode() && !benefit.isNull())
+            .map(JsonNode::asText),
+        number(asked, "chance"),
+        number(asked, "allowed_s"),
+        number(asked, "urgency_from"),
+        number(asked, "urgency_to"));
   }
 
   private static Optional<Double> number(JsonNode asked, String name) {

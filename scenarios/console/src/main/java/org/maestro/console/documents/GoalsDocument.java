@@ -3,6 +3,7 @@ package org.maestro.console.documents;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.util.List;
+import java.util.OptionalInt;
 import org.maestro.agents.content.Words;
 
 /** A platform's goals, in the order in which they were stated. */
@@ -30,8 +31,26 @@ public final class GoalsDocument {
       for (List<String> edge : waits(words)) {
         JsonMembers.in(waits).text("for", edge.get(0)).text("holder", edge.get(1));
       }
+      words
+          .find("worth")
+          .ifPresentOrElse(worth -> worth(row, worth), () -> row.node().putNull("worth"));
     }
     return document.node();
+  }
+
+  private static void worth(JsonMembers row, Words words) {
+    row.in("worth")
+        .number("chance", words, "chance")
+        .number("tried", OptionalInt.of((int) words.number("tried", 0)))
+        .number("benefit", words, "benefit")
+        .number("cost", words, "cost")
+        .number("utility", words, "utility")
+        .number("elapsed_s", words, "elapsed")
+        .number("allowed_s", words, "allowed")
+        .number("urgency_from", words, "from")
+        .number("urgency_to", words, "to")
+        .number("urgency", words, "urgency")
+        .number("weight", words, "priority");
   }
 
   private static List<String> goal(Words words) {

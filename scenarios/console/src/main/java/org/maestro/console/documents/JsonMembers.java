@@ -30,6 +30,11 @@ public record JsonMembers(ObjectNode node) {
     return new JsonMembers(array.addObject());
   }
 
+  /** An object under a name of another. */
+  public JsonMembers in(String name) {
+    return new JsonMembers(node.putObject(name));
+  }
+
   /** A text; tables and messages have a dash, or nothing, in the place of none. */
   public JsonMembers text(String name, Optional<String> text) {
     text.filter(word -> !word.isEmpty() && !word.equals("-"))

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -19,6 +20,8 @@ import java.util.stream.Stream;
 final class Table {
   private static final String AGE = "age_s";
   private static final String LEFT = "deadline_s";
+  private static final String WORTH = "worth";
+  private static final List<String> GROWING = List.of("elapsed_s", "urgency", "weight");
 
   private final Function<JsonNode, String> key;
   private final Map<String, Row> rows = new LinkedHashMap<>();
@@ -78,6 +81,9 @@ final class Table {
     ObjectNode copy = row.deepCopy();
     copy.remove(AGE);
     copy.remove(LEFT);
+    if (copy.path(WORTH) instanceof ObjectNode worth) {
+      worth.remove(GROWING);
+    }
     return copy;
   }
 

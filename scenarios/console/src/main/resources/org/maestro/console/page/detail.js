@@ -48,7 +48,7 @@ function goalHead(id) {
   return [make("h2", {},
     make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, isPast() ? null : tabs(), make("span", { class: "grow" }),
     goal && isOver(goal) && goal.state !== "achieved"
-      ? make("button", { type: "button", ...acting(), onclick: () => ask.state(goal.goal, goal.priority).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
+      ? make("button", { type: "button", ...acting(), onclick: () => ask.state(goal.goal, { priority: goal.priority }).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
       : null,
     goal && !isOver(goal)
       ? make("button", { type: "button", ...acting(), onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")

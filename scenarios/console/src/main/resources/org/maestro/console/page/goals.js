@@ -11,6 +11,9 @@ const SIGNS = {
 const LAST = new Set(["achieved", "failed", "cancelled"]);
 const MOST_SUGGESTED = 12;
 
+/** What a goal counts as of which nobody says what it is worth. */
+const UNWEIGHED = 100;
+
 export function stateOf(goal) {
   const [sign, kind] = SIGNS[goal.state] ?? ["▷", ""];
   return make("span", { class: `state ${kind}`, "data-sign": sign, title: waits(goal) || goal.detail || goal.state }, goal.state);
@@ -28,6 +31,35 @@ function templates() {
   return [{ value: "", text: "choose …" }, ...of("predicate", (text) => text), ...of("number", (text) => `(>= ${text} 1)`)];
 }
 
+const rounded = (number) => (number === null ? "unknown" : String(Math.round(number * 10) / 10));
+
+/** How urgent it is by now; what is held and so does not become more urgent. */
+function urgency({ worth, ...goal }) {
+  if (worth.allowed_s === null) {
+    return worth.urgency_from;
+  }
+  const elapsed = goal.state === "holding" ? 0 : worth.elapsed_s + age(goal) - (goal.age_s ?? 0);
+  return Math.min(1, elapsed / worth.allowed_s) * (worth.urgency_to - worth.urgency_from) + worth.urgency_from;
+}
+
+/** u·g, by which it stands among goals of its priority; null when nobody says or knows what it is worth. */
+function worthOf(goal) {
+  return isOver(goal) || (goal.worth?.utility ?? null) === null ? null : goal.worth.utility * urgency(goal);
+}
+
+function worthText(goal) {
+  const worth = worthOf(goal);
+  return worth === null ? "–" : rounded(worth);
+}
+
+function worthInWords(goal) {
+  if (!goal.worth || isOver(goal)) {
+    return `counts as ${UNWEIGHED}, as nobody says what it is worth`;
+  }
+  const { chance, benefit, cost, utility } = goal.worth;
+  return `u = ${Math.round(chance * 100) / 100}·${rounded(benefit)} − ${rounded(cost)} = ${rounded(utility)}; g = ${rounded(urgency(goal))}`;
+}
+
 const waits = (goal) => goal.waits.map((wait) => `${wait.for} (${wait.holder})`).join(", ");
 let listed = null;
 
@@ -36,6 +68,7 @@ function startList() {
     { name: "Goal", text: (goal) => `${goal.id} ${goal.goal}`, cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
     { name: "State", text: (goal) => goal.state, shown: (goal) => [goal.state, waits(goal), goal.detail].join("\n"), cell: stateOf },
     { name: "Since", className: "number", text: (goal) => seconds(age(goal)), value: age },
+    { name: "Worth", className: "wide number", text: worthText, value: (goal) => worthOf(goal) ?? UNWEIGHED, shown: (goal) => worthInWords(goal), cell: (goal) => make("span", { title: worthInWords(goal) }, worthText(goal)) },
     { name: "By", className: "wide state", text: (goal) => goal.requester ?? "–" },
     { name: "Waits for", className: "wide quiet", text: (goal) => waits(goal) || (isOver(goal) ? "" : goal.detail ?? "") },
   ], {
@@ -185,10 +218,16 @@ export function startGoals() {
     }
     try {
       const deadline = byId("goal-deadline").value;
-      const { id } = await ask.state(goal, Number(byId("goal-priority").value), deadline === "" ? null : Number(deadline));
+      const benefit = byId("goal-benefit").value.trim();
+      const { id } = await ask.state(goal, {
+        priority: Number(byId("goal-priority").value),
+        deadline: deadline === "" ? null : Number(deadline),
+        benefit: benefit === "" ? null : benefit,
+      });
       input.value = "";
       byId("goal-priority").value = "0";
       byId("goal-deadline").value = "";
+      byId("goal-benefit").value = "";
       select({ goal: id });
     } catch (failure) {
       problem.textContent = failure.message;
