@@ -33,6 +33,11 @@ public final class SlParser {
     return new EffectSyntax(fluents).effect(SlReader.readOne(text, "an effect"));
   }
 
+  /** The body of a script. */
+  public static Body body(String text, Predicate<String> fluents) {
+    return new BodySyntax(fluents).body(SlReader.readOne(text, "a step"));
+  }
+
   /** A number, a variable, a fluent or arithmetic. */
   public static Expression expression(String text) {
     return ExpressionSyntax.expression(SlReader.readOne(text, "a number or a fluent"));

@@ -47,6 +47,10 @@ public final class SlPrinter {
     return printed(SlPrinter::write, effect);
   }
 
+  public static String print(Body body) {
+    return BodyPrinter.print(body);
+  }
+
   public static String print(Fact fact) {
     return printed(SlPrinter::write, fact);
   }

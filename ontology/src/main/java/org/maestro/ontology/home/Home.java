@@ -11,6 +11,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
  * A home: the map and the devices, with the vocabulary that describes them. Keyed by local name.
  * Immutable; devices and group agents are among the individuals too.
  *
+ * @param scripts how things are done in it, by their names
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
  */
@@ -21,14 +22,21 @@ public record Home(
     Map<String, Individual> individuals,
     Map<String, Device> devices,
     Map<String, Group> groups,
+    Map<String, Script> scripts,
     String words) {
   public Home {
     individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
     groups = Collections.unmodifiableMap(new TreeMap<>(groups));
+    scripts = Collections.unmodifiableMap(new TreeMap<>(scripts));
   }
 
-  /** A home without words of its own. */
+  /** The same home with these scripts. */
+  public Home withScripts(Map<String, Script> others) {
+    return new Home(iri, label, vocabulary, individuals, devices, groups, others, words);
+  }
+
+  /** A home without scripts and words of its own. */
   public Home(
       String iri,
       String label,
@@ -36,7 +44,7 @@ public record Home(
       Map<String, Individual> individuals,
       Map<String, Device> devices,
       Map<String, Group> groups) {
-    this(iri, label, vocabulary, individuals, devices, groups, "");
+    this(iri, label, vocabulary, individuals, devices, groups, Map.of(), "");
   }
 
   /** A home without group agents and words of its own. */
@@ -87,6 +95,7 @@ public record Home(
         things,
         joined,
         groups,
+        scripts,
         words);
   }
 

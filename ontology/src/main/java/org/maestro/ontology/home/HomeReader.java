@@ -56,6 +56,7 @@ final class HomeReader {
             individuals,
             devices(individuals, nodes, words),
             groups(individuals, nodes, words),
+            Map.of(),
             ownWords());
     check(home, nodes);
     return home;

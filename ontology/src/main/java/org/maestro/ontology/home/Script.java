@@ -1,0 +1,31 @@
+package org.maestro.ontology.home;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Body;
+import org.maestro.sl.Expression;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * An action script of a home: how something is done, step by step (ADE, 4.1; A58). It is stated as
+ * a goal by its name, with individuals or values for its parameters.
+ *
+ * @param name local name, unique among the words and things of the home
+ * @param parameters in the order in which they are given; each has a class or datatype
+ * @param benefit of having it carried out, in seconds of work, over its parameters
+ * @param chance that it succeeds, as long as it was never tried
+ * @param allowed simulated time within which its urgency grows to the highest
+ */
+public record Script(
+    String name,
+    String label,
+    List<TypedVariable> parameters,
+    Body body,
+    Optional<Expression> benefit,
+    Optional<Double> chance,
+    Optional<Duration> allowed) {
+  public Script {
+    parameters = List.copyOf(parameters);
+  }
+}

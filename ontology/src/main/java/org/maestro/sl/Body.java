@@ -1,0 +1,110 @@
+package org.maestro.sl;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * The body of an action script: what is to be done, in which order, and on which condition (ADE,
+ * 4.1; A58). Variables are those of the script's parameters, and those that {@code let} and {@code
+ * foreach} bring; a formula may have variables of its own under quantifiers.
+ */
+public sealed interface Body {
+
+  /** One after the other. */
+  record Seq(List<Body> parts) implements Body {
+    public Seq {
+      parts = List.copyOf(parts);
+    }
+  }
+
+  /** Side by side; over when all are. When one fails the others are called off. */
+  record Par(List<Body> parts) implements Body {
+    public Par {
+      parts = List.copyOf(parts);
+    }
+  }
+
+  /** What is not known to be so is not so. */
+  record If(Formula condition, Body then, Optional<Body> otherwise) implements Body {}
+
+  /**
+   * @param most how often at most; it fails when the condition holds still
+   */
+  record While(Formula condition, Body body, OptionalInt most) implements Body {}
+
+  /** For each individual of which the condition is known to hold, one after the other. */
+  record ForEach(TypedVariable variable, Formula condition, Body body) implements Body {}
+
+  /** The variable stands for what the source gives, in the parts that follow. */
+  record Let(String variable, Source source, List<Body> parts) implements Body {
+    public Let {
+      parts = List.copyOf(parts);
+    }
+  }
+
+  /**
+   * @param recoveries the first whose reason is in what went wrong is done instead
+   * @param last done in any case at the end, also when the script is cancelled
+   */
+  record Try(Body body, List<Recovery> recoveries, Optional<Body> last) implements Body {
+    public Try {
+      recoveries = List.copyOf(recoveries);
+    }
+  }
+
+  /**
+   * @param reason a part of the sentence that tells what went wrong; empty: whatever it was
+   */
+  record Recovery(Optional<String> reason, Body body) {}
+
+  /** A goal, planned over all devices. */
+  record Achieve(Formula goal) implements Body {}
+
+  /**
+   * A feature of one member, called once.
+   *
+   * @param parameters by name; what is left out is chosen so that the feature can be called
+   */
+  record Do(String feature, Term member, Map<String, Term> parameters) implements Body {
+    public Do {
+      parameters = Map.copyOf(new LinkedHashMap<>(parameters));
+    }
+  }
+
+  /** Another script, with these for its parameters. */
+  record Run(String script, List<Term> arguments) implements Body, Body.Source {
+    public Run {
+      arguments = List.copyOf(arguments);
+    }
+  }
+
+  /** Facts that are so from now on, as the script says. */
+  record Assert(Effect effect) implements Body {}
+
+  /** Until the condition is known to hold. */
+  record Await(Formula condition) implements Body {}
+
+  /** For so many simulated seconds. */
+  record Pause(Expression seconds) implements Body {}
+
+  /** The script is over, and this is what it gives. */
+  record Return(Term value) implements Body {}
+
+  /** The script, or what is tried, has failed. */
+  record Fail(String reason) implements Body {}
+
+  /** What a variable can be given. */
+  sealed interface Source {
+
+    /** A number; it fails when that is not known. */
+    record Value(Expression number) implements Source {}
+
+    /**
+     * The first individual of which the condition is known to hold; it fails when there is none.
+     */
+    record One(TypedVariable variable, Formula condition) implements Source {}
+  }
+}

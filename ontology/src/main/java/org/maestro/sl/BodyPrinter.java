@@ -1,0 +1,98 @@
+package org.maestro.sl;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/** Prints bodies of scripts; the inverse of {@link BodySyntax}. */
+final class BodyPrinter {
+  private BodyPrinter() {}
+
+  static String print(Body body) {
+    if (body instanceof Body.Seq seq) {
+      return group("seq", printed(seq.parts()));
+    } else if (body instanceof Body.Par par) {
+      return group("par", printed(par.parts()));
+    } else if (body instanceof Body.If choice) {
+      List<String> parts = parts(SlPrinter.print(choice.condition()), print(choice.then()));
+      choice.otherwise().ifPresent(other -> parts.add(print(other)));
+      return group("if", parts);
+    } else if (body instanceof Body.While loop) {
+      List<String> parts = parts(SlPrinter.print(loop.condition()), print(loop.body()));
+      loop.most().ifPresent(most -> parts.add(":most " + most));
+      return group("while", parts);
+    } else if (body instanceof Body.ForEach each) {
+      return group(
+          "foreach",
+          parts(variable(each.variable()), SlPrinter.print(each.condition()), print(each.body())));
+    } else if (body instanceof Body.Let let) {
+      List<String> parts = parts("?" + let.variable(), print(let.source()));
+      parts.addAll(printed(let.parts()));
+      return group("let", parts);
+    } else if (body instanceof Body.Try attempt) {
+      List<String> parts = parts(print(attempt.body()));
+      attempt.recoveries().forEach(recovery -> parts.add(print(recovery)));
+      attempt.last().ifPresent(last -> parts.add(group("finally", parts(print(last)))));
+      return group("try", parts);
+    } else if (body instanceof Body.Do call) {
+      List<String> parts = parts(call.feature(), SlPrinter.print(call.member()));
+      new TreeMap<>(call.parameters())
+          .forEach((name, term) -> parts.add(":" + name + " " + SlPrinter.print(term)));
+      return group("do", parts);
+    } else if (body instanceof Body.Run run) {
+      return print((Body.Source) run);
+    }
+    return single(body);
+  }
+
+  private static String single(Body body) {
+    if (body instanceof Body.Achieve achieve) {
+      return group("achieve", parts(SlPrinter.print(achieve.goal())));
+    } else if (body instanceof Body.Assert stated) {
+      return group("assert", parts(SlPrinter.print(stated.effect())));
+    } else if (body instanceof Body.Await await) {
+      return group("wait", parts(SlPrinter.print(await.condition())));
+    } else if (body instanceof Body.Pause pause) {
+      return group("wait", parts(SlPrinter.print(pause.seconds())));
+    } else if (body instanceof Body.Return back) {
+      return group("return", parts(SlPrinter.print(back.value())));
+    }
+    return group("fail", parts(SlPrinter.print(new Term.Text(((Body.Fail) body).reason()))));
+  }
+
+  private static String print(Body.Recovery recovery) {
+    List<String> parts = new ArrayList<>();
+    recovery.reason().ifPresent(reason -> parts.add(SlPrinter.print(new Term.Text(reason))));
+    parts.add(print(recovery.body()));
+    return group("recover", parts);
+  }
+
+  private static String print(Body.Source source) {
+    if (source instanceof Body.Source.Value value) {
+      return group("value", parts(SlPrinter.print(value.number())));
+    } else if (source instanceof Body.Source.One one) {
+      return group("one", parts(variable(one.variable()), SlPrinter.print(one.condition())));
+    }
+    Body.Run run = (Body.Run) source;
+    List<String> parts = parts(run.script());
+    run.arguments().forEach(term -> parts.add(SlPrinter.print(term)));
+    return group("run", parts);
+  }
+
+  private static String variable(TypedVariable variable) {
+    return "(" + SlPrinter.print(variable) + ")";
+  }
+
+  private static List<String> printed(List<Body> bodies) {
+    return bodies.stream().map(BodyPrinter::print).toList();
+  }
+
+  private static List<String> parts(String... parts) {
+    return new ArrayList<>(List.of(parts));
+  }
+
+  private static String group(String head, List<String> parts) {
+    return parts.stream().collect(Collectors.joining(" ", "(" + head + " ", ")"));
+  }
+}
