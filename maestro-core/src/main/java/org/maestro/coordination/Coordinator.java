@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import org.maestro.coordination.achievement.AchievementGoal;
+import org.maestro.coordination.achievement.CallGoal;
+import org.maestro.coordination.achievement.FeatureCall;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
@@ -38,12 +40,15 @@ import org.maestro.coordination.maintenance.Wish;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.JournaledDispatcher;
 import org.maestro.coordination.recovery.RecoveryBarrier;
+import org.maestro.coordination.scripts.ScriptGoal;
+import org.maestro.coordination.scripts.Subgoals;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.PlanRecords;
 import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
+import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -124,7 +129,8 @@ public final class Coordinator {
    * @throws InvalidGoalException when it speaks of what nobody knows
    */
   public String submit(
-      GoalRequest request, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
+      GoalRequest stated, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
+    GoalRequest request = ScriptGoal.weighed(stated, ports.knowledge().home().scripts());
     new GoalCheck(ports.knowledge().home()).check(request);
     int number = ++lastNumber;
     String id = GoalId.of(prefix, number);
@@ -183,22 +189,52 @@ public final class Coordinator {
     Reaching reaching =
         (wish, with, then) ->
             new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
+    Optional<Script> script = ScriptGoal.script(request.goal(), ports.knowledge().home().scripts());
     ActiveGoal pursuit =
-        request.goal() instanceof Formula.Keep
-            ? new MaintenanceGoal(
-                new Wish(id, request, standing),
-                ports,
-                activeGoals,
-                exactPrices,
-                reaching,
-                heard -> ports.journal().afterwards(() -> news.accept(heard)),
-                over)
-            : reaching.pursuit(request, ports, over);
+        script.isPresent()
+            ? new ScriptGoal(
+                id, request, script.get(), standing, ports, activeGoals, new PartsOfScripts(), over)
+            : request.goal() instanceof Formula.Keep
+                ? new MaintenanceGoal(
+                    new Wish(id, request, standing),
+                    ports,
+                    activeGoals,
+                    exactPrices,
+                    reaching,
+                    heard -> ports.journal().afterwards(() -> news.accept(heard)),
+                    over)
+                : reaching.pursuit(request, ports, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
     appraisals.enter(id, request, standing);
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
+  }
+
+  /** Goals for parts of scripts; how a script as a whole is ended is no matter of theirs. */
+  private final class PartsOfScripts implements Subgoals {
+    @Override
+    public ActiveGoal reaching(
+        String id, GoalRequest request, Ports with, Consumer<GoalOutcome> ended) {
+      return new AchievementGoal(
+          id, request, with, roster, activeGoals, exactPrices, new VainDeeds(), ended);
+    }
+
+    @Override
+    public ActiveGoal calling(
+        String id, FeatureCall call, GoalRequest request, Ports with, Consumer<GoalOutcome> ended) {
+      return new CallGoal(id, call, request, with, roster, activeGoals, exactPrices, ended);
+    }
+
+    @Override
+    public void over(String id) {
+      dispatcher.over(id);
+    }
+  }
+
+  /** A goal, or one that is pursued for a part of a script. */
+  private Optional<ActiveGoal> underway(String goalId) {
+    return activeGoals.find(goalId).or(() -> Optional.ofNullable(pursuits.get(goalId)));
   }
 
   /** Of what is over little is kept: a platform pursues goals for as long as it runs. */
@@ -258,7 +294,7 @@ public final class Coordinator {
   private void takeUp(Recovery recovery, FormerCalls former) {
     recovery.unwanted().forEach(call -> former.giveUp(call, "nobody wants it"));
     recovery.goals().stream()
-        .sorted(Comparator.comparing(goal -> goal.calls().isEmpty()))
+        .sorted(Comparator.comparing(goal -> !goal.hasCalls()))
         .forEach(
             goal ->
                 Optional.ofNullable(pursuits.get(goal.id()))
@@ -359,8 +395,7 @@ public final class Coordinator {
    * (Three-layered architecture, 3.2.1; M43).
    */
   public void offered(String goalId, Takeover offer) {
-    activeGoals.run(
-        () -> Optional.ofNullable(pursuits.get(goalId)).ifPresent(p -> p.offered(offer)));
+    activeGoals.run(() -> underway(goalId).ifPresent(p -> p.offered(offer)));
   }
 
   /** The member says that it is at a step of the goal still, though it takes long. */
@@ -374,9 +409,7 @@ public final class Coordinator {
    */
   public void givenBack(String goalId, String member, String feature, String reason) {
     activeGoals.run(
-        () ->
-            Optional.ofNullable(pursuits.get(goalId))
-                .ifPresent(pursuit -> pursuit.givenBack(member, feature, reason)));
+        () -> underway(goalId).ifPresent(pursuit -> pursuit.givenBack(member, feature, reason)));
   }
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
@@ -474,9 +507,10 @@ public final class Coordinator {
 
   /** Who asked for a goal, also when it is over: steps may have yet to come to rest. */
   public Optional<String> requester(String goalId) {
-    return Optional.ofNullable(pursuits.get(goalId))
+    String whole = GoalId.whole(goalId);
+    return Optional.ofNullable(pursuits.get(whole))
         .map(goal -> goal.status().requester())
-        .or(() -> ended.find(goalId).map(goal -> goal.request().requester()));
+        .or(() -> ended.find(whole).map(goal -> goal.request().requester()));
   }
 
   /** The highest number that a goal's id has had. */

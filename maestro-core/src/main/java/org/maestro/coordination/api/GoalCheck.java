@@ -1,23 +1,32 @@
 package org.maestro.coordination.api;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.home.Script;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.NumberVariables;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
 
 /**
  * Refuses goals that speak of what neither home nor vocabulary know, before anybody is asked for
  * anything.
  */
 public final class GoalCheck {
+  private final Home home;
   private final StatementCheck statements;
   private final StatementCheck benefits;
 
   /** For goals in this home. */
   public GoalCheck(Home home) {
+    this.home = home;
     this.statements = new StatementCheck(home, "The goal");
     this.benefits = new StatementCheck(home, "The benefit");
   }
@@ -28,8 +37,43 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(GoalRequest request) {
-    check(request.goal());
+    Optional<Script> script = script(request.goal());
+    if (script.isPresent()) {
+      check(script.get(), ((Formula.Atom) request.goal()).arguments());
+    } else {
+      check(request.goal());
+    }
     request.stakes().map(Stakes::benefit).ifPresent(this::checkBenefit);
+  }
+
+  private Optional<Script> script(Formula goal) {
+    return goal instanceof Formula.Atom atom
+        ? Optional.ofNullable(home.scripts().get(atom.predicate()))
+        : Optional.empty();
+  }
+
+  private void check(Script script, List<Term> arguments) {
+    if (arguments.size() != script.parameters().size()) {
+      throw new InvalidGoalException(
+          "The script %s takes %d values, not %d; write %s."
+              .formatted(
+                  script.name(), script.parameters().size(), arguments.size(), script.form()));
+    }
+    for (int i = 0; i < arguments.size(); i++) {
+      TypedVariable parameter = script.parameters().get(i);
+      Term argument = arguments.get(i);
+      String wanted = parameter.className().orElse("");
+      Optional<Individual> thing =
+          argument instanceof Term.Name name
+              ? Optional.ofNullable(home.individuals().get(name.text()))
+              : Optional.empty();
+      boolean isOfClass = thing.filter(one -> one.classes().contains(wanted)).isPresent();
+      if (home.vocabulary().classes().containsKey(wanted) && !isOfClass) {
+        throw new InvalidGoalException(
+            "%s is no %s of this home, as ?%s of %s is to be; write another."
+                .formatted(SlPrinter.print(argument), wanted, parameter.name(), script.name()));
+      }
+    }
   }
 
   private void checkBenefit(Expression benefit) {

@@ -1,11 +1,34 @@
 package org.maestro.coordination.api;
 
-/** The id of a goal: a coordinator's own prefix and a number, counted from 1. */
+import java.util.regex.Pattern;
+
+/**
+ * The id of a goal: a coordinator's own prefix and a number, counted from 1. What is pursued for a
+ * step of a script has the id of the whole with the step's path, {@code G7.2.1}.
+ */
 public final class GoalId {
   /** Of the central coordinator's goals. */
   public static final String CENTRAL = "G";
 
+  private static final Pattern PATH = Pattern.compile("(\\.\\d+)+$");
+
   private GoalId() {}
+
+  /**
+   * @param path numbers with dots between them
+   */
+  public static String part(String whole, String path) {
+    return whole + "." + path;
+  }
+
+  /** The goal that one is pursued for; itself, when it is no part of another. */
+  public static String whole(String goalId) {
+    return PATH.matcher(goalId).replaceFirst("");
+  }
+
+  public static boolean isPart(String goalId) {
+    return !whole(goalId).equals(goalId);
+  }
 
   public static String of(String prefix, int number) {
     return prefix + number;

@@ -22,6 +22,10 @@ public record GoalRequest(
 
   public static final int USUAL_PRIORITY = 0;
 
+  public GoalRequest with(Stakes stated) {
+    return new GoalRequest(goal, requester, priority, deadline, Optional.of(stated));
+  }
+
   /** A wish of which nobody says what it is worth. */
   public GoalRequest(Formula goal, String requester, int priority, Optional<Duration> deadline) {
     this(goal, requester, priority, deadline, Optional.empty());

@@ -9,6 +9,7 @@ import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
 
 /** An event of which a {@link Journal} is told. */
 public sealed interface JournalEntry {
@@ -148,6 +149,19 @@ public sealed interface JournalEntry {
    * @param petition the id of the goal that the central agent pursues for it since
    */
   record Asked(String goalId, String petition, Formula effect) implements OfGoal {}
+
+  /**
+   * A script has come to know something that it goes by, or has done with a part of itself. What
+   * was noted below that part before, and became of goals below it, is of no use any more.
+   *
+   * @param path of the part, numbers with dots between them
+   * @param over it is done with
+   * @param value what a variable stands for, which way is taken, or what the part gives
+   * @param problem why it failed; empty when it did not
+   */
+  record Noted(
+      String goalId, String path, boolean over, Optional<Term> value, Optional<String> problem)
+      implements OfGoal {}
 
   /** A goal has come to its end. */
   record Over(GoalOutcome outcome) implements OfGoal {

@@ -85,6 +85,20 @@ public record Ports(
         knowledge, planner, contractNet, other, thinking, owner, clock, story, journal, comeback);
   }
 
+  public Ports with(Story other) {
+    return new Ports(
+        knowledge,
+        planner,
+        contractNet,
+        dispatcher,
+        thinking,
+        owner,
+        clock,
+        other,
+        journal,
+        comeback);
+  }
+
   /** For work that can wait a moment. */
   public Ports patient() {
     return new Ports(

@@ -28,12 +28,11 @@ public record Recovery(
    * @param prefix of its goals' ids
    */
   public Recovery of(String prefix) {
-    List<UnfinishedGoal> own =
-        goals.stream().filter(goal -> GoalId.number(prefix, goal.id()) > 0).toList();
+    List<UnfinishedGoal> own = goals.stream().filter(goal -> isOf(prefix, goal.id())).toList();
     List<EndedGoal> over =
-        ended.stream().filter(goal -> GoalId.number(prefix, goal.outcome().id()) > 0).toList();
+        ended.stream().filter(goal -> isOf(prefix, goal.outcome().id())).toList();
     List<UnfinishedCall> calls =
-        unwanted.stream().filter(call -> GoalId.number(prefix, call.begun().goalId()) > 0).toList();
+        unwanted.stream().filter(call -> isOf(prefix, call.begun().goalId())).toList();
     if (prefix.equals(GoalId.CENTRAL)) {
       return new Recovery(lastGoalNumber, own, over, calls, members);
     }
@@ -45,6 +44,10 @@ public record Recovery(
       last = Math.max(last, GoalId.number(prefix, goal.outcome().id()));
     }
     return new Recovery(last, own, over, calls, members);
+  }
+
+  private static boolean isOf(String prefix, String goalId) {
+    return GoalId.number(prefix, GoalId.whole(goalId)) > 0;
   }
 
   /** Nobody is waited for: they are there, or it does not matter. */
@@ -61,6 +64,9 @@ public record Recovery(
    * @param keeps what it had for itself
    * @param memory what else it remembered
    * @param calls begun for it, and not known to be over
+   * @param lastEnd of its calls that are over
+   * @param parts goals that were pursued for steps of it, as it is a script, and had no end yet
+   * @param endedParts those that had
    */
   public record UnfinishedGoal(
       String id,
@@ -71,7 +77,16 @@ public record Recovery(
       GoalEffort effort,
       JournalEntry.Keeps keeps,
       GoalMemory memory,
-      List<UnfinishedCall> calls) {}
+      List<UnfinishedCall> calls,
+      Optional<JournalEntry.Ended> lastEnd,
+      List<UnfinishedGoal> parts,
+      List<EndedGoal> endedParts) {
+
+    /** Whether anything was under way for it, or for a step of it. */
+    public boolean hasCalls() {
+      return !calls.isEmpty() || parts.stream().anyMatch(UnfinishedGoal::hasCalls);
+    }
+  }
 
   /**
    * The lessons that a goal has learnt on its way.
@@ -81,13 +96,15 @@ public record Recovery(
    * @param looks in vain, oldest first
    * @param settings that a held goal's steps have made
    * @param asked what an agent has asked of the central one for the goal, and hears the end of yet
+   * @param notes how far a script has come
    */
   public record GoalMemory(
       boolean everHeld,
       List<JournalEntry.Failed> failures,
       List<JournalEntry.LookedInVain> looks,
       List<JournalEntry.Setting> settings,
-      Optional<JournalEntry.Asked> asked) {}
+      Optional<JournalEntry.Asked> asked,
+      List<JournalEntry.Noted> notes) {}
 
   public record EndedGoal(GoalRequest request, GoalOutcome outcome) {}
 

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
@@ -67,11 +68,11 @@ public final class ActiveGoals {
     leases.enter(pursuit.id(), appraisals.graded(pursuit.id(), standing));
   }
 
-  /** Its worth is another. */
+  /** Its worth is another, and so is that of all its parts. */
   public void rank(String goal, GoalPriority standing) {
-    if (pursuits.containsKey(goal)) {
-      leases.rank(goal, standing);
-    }
+    List.copyOf(pursuits.keySet()).stream()
+        .filter(id -> GoalId.whole(id).equals(goal))
+        .forEach(id -> leases.rank(id, standing));
   }
 
   /** Whether a goal is not over, and the one that stood back for it does not go before it now. */
@@ -94,6 +95,16 @@ public final class ActiveGoals {
         leases.ownStanding(first).priority() == leases.ownStanding(second).priority()
             && leases.ownStanding(first).outranks(leases.ownStanding(second));
     return byWorth ? appraisals.comparison(first, second) : "";
+  }
+
+  /**
+   * What a goal had before this coordinator was there is its own though it is not taken up yet.
+   *
+   * @param components of members
+   */
+  public void keep(String goal, GoalPriority standing, Set<Resource> components) {
+    leases.enter(goal, appraisals.graded(goal, standing));
+    leases.keep(goal, components);
   }
 
   /** It is over. */

@@ -103,6 +103,11 @@ public final class FactFilter {
     add(step.feature().effect(), bindings);
   }
 
+  /** What a formula depends on. */
+  public void addRead(Formula formula) {
+    add(formula, Map.of());
+  }
+
   void add(Formula formula, Map<String, Term> bindings) {
     unfolding
         .conjuncts(formula, bindings)

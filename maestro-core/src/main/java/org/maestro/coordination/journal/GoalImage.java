@@ -47,6 +47,8 @@ final class GoalImage {
   private Optional<Dated> settings = Optional.empty();
   private Optional<Dated> asked = Optional.empty();
   private Optional<Dated> over = Optional.empty();
+  private Optional<Dated> lastEnd = Optional.empty();
+  private final Map<String, Dated> notes = new LinkedHashMap<>();
 
   /**
    * @param submitted a {@link JournalEntry.Submitted}
@@ -74,6 +76,8 @@ final class GoalImage {
     later.addAll(goal.memory().looks());
     later.add(new JournalEntry.Settings(goal.id(), goal.memory().settings()));
     goal.memory().asked().ifPresent(later::add);
+    later.addAll(goal.memory().notes());
+    goal.lastEnd().ifPresent(later::add);
     later.forEach(entry -> entries.add(new Dated(now, entry)));
     return entries;
   }
@@ -97,6 +101,7 @@ final class GoalImage {
       call(calledOff.callId()).ifPresent(call -> call.calledOff = Optional.of(dated));
     } else if (entry instanceof JournalEntry.Ended ended) {
       calls.remove(ended.callId());
+      lastEnd = Optional.of(dated);
     } else if (entry instanceof JournalEntry.Failed failed) {
       failures.put(failed.step(), dated);
     } else if (entry instanceof JournalEntry.LookedInVain) {
@@ -105,12 +110,17 @@ final class GoalImage {
       settings = Optional.of(dated);
     } else if (entry instanceof JournalEntry.Asked) {
       asked = Optional.of(dated);
+    } else if (entry instanceof JournalEntry.Noted noted) {
+      notes.keySet().removeIf(path -> path.startsWith(noted.path() + "."));
+      notes.put(noted.path(), dated);
     } else if (entry instanceof JournalEntry.AttemptOver) {
       forgetAttempt();
     } else if (entry instanceof JournalEntry.Over) {
       over = Optional.of(dated);
       held = Optional.empty();
       settings = Optional.empty();
+      notes.clear();
+      lastEnd = Optional.empty();
       forgetAttempt();
     }
   }
@@ -156,6 +166,8 @@ final class GoalImage {
     entries.addAll(looks);
     settings.ifPresent(entries::add);
     asked.ifPresent(entries::add);
+    entries.addAll(notes.values());
+    lastEnd.ifPresent(entries::add);
     over.ifPresent(entries::add);
     return entries;
   }
@@ -191,7 +203,12 @@ final class GoalImage {
         .toList();
   }
 
-  Recovery.UnfinishedGoal unfinished() {
+  /**
+   * @param parts of it that have no end yet
+   * @param endedParts those that have
+   */
+  Recovery.UnfinishedGoal unfinished(
+      List<Recovery.UnfinishedGoal> parts, List<Recovery.EndedGoal> endedParts) {
     JournalEntry.Submitted first = (JournalEntry.Submitted) submitted.entry();
     Optional<JournalEntry.Became> state = became.map(dated -> (JournalEntry.Became) dated.entry());
     return new Recovery.UnfinishedGoal(
@@ -208,7 +225,10 @@ final class GoalImage {
         calls.values().stream()
             .filter(call -> call.calledOff.isEmpty())
             .map(Call::unfinished)
-            .toList());
+            .toList(),
+        lastEnd.map(dated -> (JournalEntry.Ended) dated.entry()),
+        parts,
+        endedParts);
   }
 
   private Recovery.GoalMemory memory() {
@@ -217,6 +237,7 @@ final class GoalImage {
         failures.values().stream().map(failed -> (JournalEntry.Failed) failed.entry()).toList(),
         looks.stream().map(look -> (JournalEntry.LookedInVain) look.entry()).toList(),
         settings.map(dated -> ((JournalEntry.Settings) dated.entry()).settings()).orElse(List.of()),
-        asked.map(dated -> (JournalEntry.Asked) dated.entry()));
+        asked.map(dated -> (JournalEntry.Asked) dated.entry()),
+        notes.values().stream().map(noted -> (JournalEntry.Noted) noted.entry()).toList());
   }
 }

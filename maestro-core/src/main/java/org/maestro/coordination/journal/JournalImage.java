@@ -40,23 +40,32 @@ public final class JournalImage {
         .members()
         .forEach(m -> image.add(new Dated(now, new JournalEntry.MemberCame(m, Optional.empty()))));
     for (Recovery.UnfinishedGoal goal : recovery.goals()) {
-      image.add(
-          new Dated(goal.submittedAt(), new JournalEntry.Submitted(goal.id(), goal.request())));
+      image.submitted(goal);
     }
-    for (Recovery.EndedGoal goal : recovery.ended()) {
-      Duration submitted = goal.outcome().submittedAt();
-      image.add(
-          new Dated(submitted, new JournalEntry.Submitted(goal.outcome().id(), goal.request())));
-      image.add(new Dated(goal.outcome().endedAt(), new JournalEntry.Over(goal.outcome())));
-    }
+    recovery.ended().forEach(image::ended);
     for (Recovery.UnfinishedCall call : recovery.unwanted()) {
       image.add(new Dated(call.begunAt(), call.begun()));
       image.add(
           new Dated(
               now, new JournalEntry.CalledOff(call.begun().goalId(), call.begun().call().id())));
     }
-    recovery.goals().forEach(goal -> GoalImage.entries(goal, now).forEach(image::add));
+    for (Recovery.UnfinishedGoal goal : recovery.goals()) {
+      GoalImage.entries(goal, now).forEach(image::add);
+      goal.parts().forEach(image::submitted);
+      goal.parts().forEach(part -> GoalImage.entries(part, now).forEach(image::add));
+      goal.endedParts().forEach(image::ended);
+    }
     return image;
+  }
+
+  private void submitted(Recovery.UnfinishedGoal goal) {
+    add(new Dated(goal.submittedAt(), new JournalEntry.Submitted(goal.id(), goal.request())));
+  }
+
+  private void ended(Recovery.EndedGoal goal) {
+    Duration submitted = goal.outcome().submittedAt();
+    add(new Dated(submitted, new JournalEntry.Submitted(goal.outcome().id(), goal.request())));
+    add(new Dated(goal.outcome().endedAt(), new JournalEntry.Over(goal.outcome())));
   }
 
   public void add(Dated dated) {
@@ -68,11 +77,32 @@ public final class JournalImage {
       goals.remove(withdrawn.goalId());
     } else if (entry instanceof JournalEntry.OfGoal ofGoal) {
       Optional.ofNullable(goals.get(ofGoal.goalId())).ifPresent(goal -> goal.add(dated));
+      if (entry instanceof JournalEntry.Noted noted) {
+        forgetParts(GoalId.part(noted.goalId(), noted.path()) + ".");
+      } else if (entry instanceof JournalEntry.Over) {
+        forgetParts(ofGoal.goalId() + ".");
+      }
     } else if (entry instanceof JournalEntry.MemberCame came) {
       members.put(came.member(), dated);
     } else if (entry instanceof JournalEntry.MemberWent went) {
       members.remove(went.member());
     }
+  }
+
+  /** What became of them is of no use any more, but calls that nobody wants. */
+  private void forgetParts(String idsBegin) {
+    goals
+        .entrySet()
+        .removeIf(
+            goal -> goal.getKey().startsWith(idsBegin) && goal.getValue().unwanted().isEmpty());
+  }
+
+  /** Whether a script that is not over will want to know how a part of it has ended. */
+  private boolean isWanted(String goalId) {
+    return GoalId.isPart(goalId)
+        && Optional.ofNullable(goals.get(GoalId.whole(goalId)))
+            .filter(whole -> whole.overSince().isEmpty())
+            .isPresent();
   }
 
   /**
@@ -82,7 +112,7 @@ public final class JournalImage {
   public void forgetEnded(Duration before, long mostBytes) {
     List<Map.Entry<String, GoalImage>> ended =
         goals.entrySet().stream()
-            .filter(e -> e.getValue().overSince().isPresent())
+            .filter(e -> e.getValue().overSince().isPresent() && !isWanted(e.getKey()))
             .sorted(Comparator.comparing(e -> e.getValue().overSince().orElseThrow()))
             .toList();
     long bytes = ended.stream().mapToLong(e -> e.getValue().bytes()).sum();
@@ -111,14 +141,31 @@ public final class JournalImage {
     return entries;
   }
 
+  private Recovery.UnfinishedGoal unfinished(String id, GoalImage goal) {
+    List<Recovery.UnfinishedGoal> parts = new ArrayList<>();
+    List<Recovery.EndedGoal> endedParts = new ArrayList<>();
+    goals.forEach(
+        (partId, part) -> {
+          if (partId.startsWith(id + ".")) {
+            part.ended()
+                .ifPresentOrElse(
+                    endedParts::add, () -> parts.add(part.unfinished(List.of(), List.of())));
+          }
+        });
+    return goal.unfinished(parts, endedParts);
+  }
+
   public Recovery recovery() {
     List<Recovery.UnfinishedGoal> unfinished = new ArrayList<>();
     List<Recovery.EndedGoal> ended = new ArrayList<>();
     List<Recovery.UnfinishedCall> unwanted = new ArrayList<>();
-    for (GoalImage goal : goals.values()) {
-      unwanted.addAll(goal.unwanted());
-      goal.ended().ifPresentOrElse(ended::add, () -> unfinished.add(goal.unfinished()));
-    }
+    goals.forEach(
+        (id, goal) -> {
+          unwanted.addAll(goal.unwanted());
+          if (!GoalId.isPart(id)) {
+            goal.ended().ifPresentOrElse(ended::add, () -> unfinished.add(unfinished(id, goal)));
+          }
+        });
     return new Recovery(
         lastGoalNumber, unfinished, ended, unwanted, new TreeSet<>(members.keySet()));
   }

@@ -33,6 +33,7 @@ public enum GoalPhase {
   LISTENING(GoalState.WAITING, "Nobody has seen it; who tells of it unasked has time to."),
   ASKING(GoalState.WAITING, "Nobody can see it; who speaks of it is asked once more."),
   SUSPENDED(GoalState.SUSPENDED, "It gave way to a goal that goes first, and goes on afterwards."),
+  CARRYING_OUT(GoalState.RUNNING, "The steps of a script are done."),
   BRINGING_ABOUT("To be kept, and not so: it is brought about."),
   HOLDING(GoalState.HOLDING, "To be kept, and so."),
   WAITING_TO_RETRY(GoalState.WAITING, "To be kept, and could not be; it is tried again later."),
@@ -67,8 +68,9 @@ public enum GoalPhase {
   /** The phases that may come next. */
   public Set<GoalPhase> next() {
     return switch (this) {
-      case SUBMITTED -> EnumSet.of(PLANNING, RECOVERING, BRINGING_ABOUT, ENDING);
-      case RECOVERING -> EnumSet.of(RECOVERING, PLANNING, REPLANNING, BRINGING_ABOUT, ENDING);
+      case SUBMITTED -> EnumSet.of(PLANNING, RECOVERING, CARRYING_OUT, BRINGING_ABOUT, ENDING);
+      case RECOVERING ->
+          EnumSet.of(RECOVERING, PLANNING, REPLANNING, CARRYING_OUT, BRINGING_ABOUT, ENDING);
       case PLANNING, REPLANNING, PLANNING_TO_SEE -> EnumSet.of(DECIDING, ENDING);
       case DECIDING ->
           EnumSet.of(
@@ -143,6 +145,7 @@ public enum GoalPhase {
               WAITING_TO_RETRY,
               BRINGING_ABOUT,
               ENDING);
+      case CARRYING_OUT -> EnumSet.of(CARRYING_OUT, ENDING);
       case BRINGING_ABOUT -> EnumSet.of(HOLDING, WAITING_TO_RETRY, BRINGING_ABOUT, ENDING);
       case HOLDING -> EnumSet.of(HOLDING, BRINGING_ABOUT, WAITING_TO_RETRY, SUSPENDED, ENDING);
       case WAITING_TO_RETRY ->

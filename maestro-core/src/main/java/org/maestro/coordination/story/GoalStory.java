@@ -59,9 +59,16 @@ public final class GoalStory {
   }
 
   public void submitted(GoalRequest request) {
-    tell(
-        StoryEntry.Kind.GOAL,
-        request.requester() + " asks for: " + sentences().fact(request.goal()) + ".");
+    submitted(request, sentences().fact(request.goal()));
+  }
+
+  /**
+   * The same.
+   *
+   * @param what is asked for, in words
+   */
+  public void submitted(GoalRequest request, String what) {
+    tell(StoryEntry.Kind.GOAL, request.requester() + " asks for: " + what + ".");
     List<String> known =
         knowledge.snapshot().beliefs().stream().map(Belief::fact).collect(Collectors.toList());
     KnownOf knownOf = new KnownOf(knowledge.home(), known);

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalRequest;
@@ -94,20 +95,19 @@ public final class Appraisals {
    * @param isFirst it is for all of the goal, from where it began
    */
   public void planned(String id, boolean isFirst) {
-    Weighed goal = goals.get(id);
+    String whole = GoalId.whole(id);
+    Weighed goal = goals.get(whole);
     if (goal != null) {
-      if (isFirst) {
+      if (isFirst && whole.equals(id)) {
         left(id).ifPresent(cost -> past.planned(goal.shape, cost));
       }
-      reappraise(id);
+      reappraise(whole);
     }
   }
 
   /** Some of what was left of a goal's plan is done. */
   public void advanced(String id) {
-    if (goals.containsKey(id)) {
-      reappraise(id);
-    }
+    reappraise(GoalId.whole(id));
   }
 
   public void knowledgeChanged(FactFilter changed) {
@@ -117,17 +117,18 @@ public final class Appraisals {
   }
 
   public boolean isWeighed(String id) {
-    return goals.containsKey(id);
+    return goals.containsKey(GoalId.whole(id));
   }
 
   /** What a goal is worth now; empty when nobody says what it is worth. */
   public Optional<Worth> find(String id) {
-    return Optional.ofNullable(goals.get(id)).map(goal -> worth(id, goal));
+    String whole = GoalId.whole(id);
+    return Optional.ofNullable(goals.get(whole)).map(goal -> worth(whole, goal));
   }
 
   /** The standing, with the grade that the goal has now. */
   public GoalPriority graded(String id, GoalPriority standing) {
-    return Optional.ofNullable(goals.get(id))
+    return Optional.ofNullable(goals.get(GoalId.whole(id)))
         .map(goal -> standing.graded(goal.grade))
         .orElse(standing);
   }

@@ -58,6 +58,12 @@ final class MemoryCodec {
         node.put("value", setting.value());
         JournalCodec.step(node, setting.step());
       }
+    } else if (entry instanceof JournalEntry.Noted noted) {
+      JournalCodec.event(line, "noted", noted.goalId());
+      line.put("path", noted.path());
+      line.put("over", noted.over());
+      noted.value().ifPresent(value -> line.put("value", SlPrinter.print(value)));
+      noted.problem().ifPresent(problem -> line.put("problem", problem));
     } else if (entry instanceof JournalEntry.AttemptOver over) {
       JournalCodec.event(line, "attempt-over", over.goalId());
     } else if (entry instanceof JournalEntry.Asked asked) {
@@ -84,6 +90,13 @@ final class MemoryCodec {
               line.path("refused").asBoolean(),
               line.path("problem").asText(),
               taught(line.path("taught")));
+      case "noted" ->
+          new JournalEntry.Noted(
+              goal,
+              line.path("path").asText(),
+              line.path("over").asBoolean(),
+              Optional.ofNullable(line.path("value").textValue()).map(SlParser::term),
+              Optional.ofNullable(line.path("problem").textValue()));
       case "looked-in-vain" ->
           new JournalEntry.LookedInVain(
               goal,

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.sl.Body;
 import org.maestro.sl.Expression;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.TypedVariable;
 
 /**
@@ -27,5 +28,12 @@ public record Script(
     Optional<Duration> allowed) {
   public Script {
     parameters = List.copyOf(parameters);
+  }
+
+  /** How it is stated as a goal, with variables where values are to stand. */
+  public String form() {
+    StringBuilder form = new StringBuilder("(" + name);
+    parameters.forEach(parameter -> form.append(' ').append(SlPrinter.print(parameter)));
+    return form.append(')').toString();
   }
 }

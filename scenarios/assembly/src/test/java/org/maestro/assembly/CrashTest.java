@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
@@ -20,8 +22,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.fixtures.Share;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.ontology.home.Script;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sl.Body;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.TypedVariable;
 
 /**
  * The coordinator dies at each entry of its journal, before and after it is whole, and another goes
@@ -31,6 +37,7 @@ class CrashTest {
   private static final Set<String> DEEDS = Set.of("move", "pick", "place", "adjustLight");
   private static final List<String> GOALS =
       List.of("(nextTo Cup Bob)", "(canSee ?agent Cup)", "(>= (illuminance zone-a) 75)");
+  private static final String SCRIPT = "(evening zone-a)";
   private static Home home;
   private static Scene scene;
 
@@ -112,6 +119,106 @@ class CrashTest {
       assertThat(site.witness.executedTwice()).as(context).isEmpty();
       if (site.outcomes.size() == GOALS.size()) {
         assertThat(site.witness.doneTwice(DEEDS)).as(context).isEmpty();
+      }
+    }
+  }
+
+  @Test
+  void someEntriesOfAScript() throws IOException {
+    int entries = entriesOfScript();
+    assertThat(entries).isGreaterThan(60);
+    carryOut(entries / 4, 30);
+    carryOut(entries * 3 / 4, 0);
+  }
+
+  @Test
+  @Tag("full")
+  void everyEntryOfAScript() throws IOException {
+    int entries = entriesOfScript();
+    for (long at : Share.of(LongStream.rangeClosed(1, entries)).toArray()) {
+      carryOut((int) at, 0);
+      carryOut((int) at, (int) (1 + at % 60));
+    }
+  }
+
+  private static Home homeWithScript() {
+    Body body =
+        SlParser.body(
+            """
+            (seq (achieve (>= (illuminance zone-b) 72))
+              (do move rose :to ?room)
+              (par (do adjustLight lamp-a1 :level 0.5) (do adjustLight lamp-a2 :level 0.25))
+              (let ?dim (one (?l - Lamp) (= (level ?l) 0.5))
+                (if (> (illuminance ?room) 1000)
+                  (fail "much too bright")
+                  (do adjustLight ?dim :level 0.75)))
+              (try (fail "nothing to do")
+                (recover (run homewards))
+                (finally (foreach (?l - Lamp) (= (level ?l) 0.25) (do adjustLight ?l :level 0))))
+              (while (in rose zone-b) (do move rose :to zone-a) :most 2))
+            """,
+            home.vocabulary()::isFluent);
+    Body homewards =
+        SlParser.body("(seq (wait 5) (do move rose :to zone-b))", home.vocabulary()::isFluent);
+    return home.withScripts(
+        Map.of(
+            "evening",
+            script("evening", List.of(SlParser.variable("?room - Zone")), body),
+            "homewards",
+            script("homewards", List.of(), homewards)));
+  }
+
+  private static Script script(String name, List<TypedVariable> parameters, Body body) {
+    return new Script(
+        name, name, parameters, body, Optional.empty(), Optional.empty(), Optional.empty());
+  }
+
+  private int entriesOfScript() throws IOException {
+    try (MortalSite site = new MortalSite(homeWithScript(), scene, directory.resolve("script"))) {
+      site.begin(Integer.MAX_VALUE);
+      evening(site);
+      assertThat(site.outcomes.values())
+          .as(site.story.toString())
+          .allMatch(outcome -> outcome.reached());
+      return site.written();
+    }
+  }
+
+  private static void evening(MortalSite site) {
+    site.clock.runUntil(() -> site.isDead() || site.allPresent(), Duration.ofMinutes(1));
+    site.submit(SCRIPT);
+    site.clock.runUntil(
+        () -> site.isDead() || site.accepted.size() == 1 && site.allEnded(),
+        Duration.ofMinutes(20));
+  }
+
+  /** No finished step is done again, and the script ends. */
+  private void carryOut(int at, int torn) throws IOException {
+    Path data = directory.resolve("script-" + at + "-" + torn);
+    try (MortalSite site = new MortalSite(homeWithScript(), scene, data)) {
+      site.begin(at);
+      evening(site);
+      boolean accepted = !site.accepted.isEmpty();
+      if (torn > 0) {
+        site.tear(torn);
+      }
+      site.clock.run(Duration.ofMillis(100L * (at % 50)));
+      site.begin(Integer.MAX_VALUE);
+      site.clock.runUntil(() -> site.allPresent() && site.allEnded(), Duration.ofMinutes(20));
+      String context =
+          "died at %d, torn by %d%n%s%n%s"
+              .formatted(
+                  at,
+                  torn,
+                  Files.readString(data.resolve("journal.jsonl")),
+                  site.story.stream().map(String::valueOf).collect(Collectors.joining("\n")));
+      assertThat(site.allEnded()).as(context).isTrue();
+      assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
+      assertThat(site.witness.executedTwice()).as(context).isEmpty();
+      if (accepted) {
+        assertThat(site.witness.doneTwice(Set.of("move", "adjustLight"))).as(context).isEmpty();
+        assertThat(site.world().lampLevel("lamp-a1")).as(context).isEqualTo(0.75);
+        assertThat(site.world().lampLevel("lamp-a2")).as(context).isZero();
       }
     }
   }

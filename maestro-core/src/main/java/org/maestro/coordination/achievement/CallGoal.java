@@ -1,0 +1,352 @@
+package org.maestro.coordination.achievement;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanningRound;
+import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Proposal;
+import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.Sentences;
+import org.maestro.coordination.contention.ActiveGoal;
+import org.maestro.coordination.contention.ActiveGoals;
+import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.coordination.lessons.VainDeeds;
+import org.maestro.coordination.recovery.FormerCalls;
+import org.maestro.coordination.story.Decisions;
+import org.maestro.coordination.story.GoalLife;
+import org.maestro.coordination.story.GoalPhase;
+import org.maestro.coordination.story.GoalStory;
+import org.maestro.coordination.story.PlanRecords;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.planning.api.Plan;
+import org.maestro.planning.api.Step;
+import org.maestro.sl.Change;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/**
+ * One call of one member, as a step of a script wants it: with the same leases, words and waits as
+ * the steps of plans, and made once. The coordinator's thread only.
+ */
+public final class CallGoal implements ActiveGoal, GoalTransitions {
+  private final FeatureCall call;
+  private final LastReport reports;
+  private final PursuitParts parts;
+  private final GoalLife life;
+  private final PlanFollowing following;
+
+  public CallGoal(
+      String id,
+      FeatureCall call,
+      GoalRequest request,
+      Ports ports,
+      Roster roster,
+      ActiveGoals activeGoals,
+      ExactPrices exactPrices,
+      Consumer<GoalOutcome> ended) {
+    this.call = call;
+    this.reports = new LastReport(ports.dispatcher());
+    Ports own = ports.with(reports);
+    GoalStory story = new GoalStory(id, own.story(), own.clock(), own.knowledge());
+    this.life = new GoalLife(id, request, own, story, ended);
+    this.parts =
+        PursuitParts.of(life, story, own, roster, activeGoals, exactPrices, new VainDeeds());
+    this.following = new PlanFollowing(parts, this);
+  }
+
+  @Override
+  public void start() {
+    if (life.isOver()) {
+      return;
+    }
+    String member = call.member();
+    if (StepOfCall.feature(call, parts.ports().knowledge().home()).isEmpty()) {
+      giveUp(List.of("%s offers no %s.".formatted(member, call.feature())));
+    } else if (!parts.roster().isPresent(member)) {
+      giveUp(
+          List.of(
+              "%s is needed and not there (%s)."
+                  .formatted(member, parts.roster().absence(member))));
+    } else {
+      life.become(GoalPhase.PLANNING, "");
+      parts
+          .ports()
+          .contractNet()
+          .callForPrices(
+              new CallForPrices(
+                  life.id(), life.request().goal(), Map.of(member, List.of(call.feature()))),
+              round -> parts.activeGoals().run(() -> answered(round)));
+    }
+  }
+
+  private void answered(ContractNet.Round round) {
+    if (life.isOver()) {
+      round.reject();
+      return;
+    }
+    life.become(GoalPhase.DECIDING);
+    Optional<Proposal> proposal =
+        round.bids().stream().filter(bid -> bid.member().equals(call.member())).findFirst();
+    Optional<String> refusal =
+        proposal.isEmpty() ? Optional.of("it did not answer") : proposal.get().refusal();
+    if (refusal.isPresent()) {
+      round.reject();
+      giveUp(List.of("%s refuses: %s".formatted(call.member(), refusal.get())));
+      return;
+    }
+    StepOfCall chosen =
+        StepOfCall.of(
+            call,
+            parts.ports().knowledge().home(),
+            parts.ports().knowledge().snapshot(),
+            Optional.ofNullable(proposal.get().prices().get(call.feature()))
+                .orElseGet(
+                    () ->
+                        StepOfCall.feature(call, parts.ports().knowledge().home())
+                            .orElseThrow()
+                            .cost()));
+    if (chosen.step().isEmpty()) {
+      round.reject();
+      giveUp(List.of(chosen.problem()));
+    } else {
+      life.countPlan(false);
+      Step step = chosen.step().get();
+      following.adopt(new Plan(List.of(step), step.cost(), Map.of()), round);
+    }
+  }
+
+  @Override
+  public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
+    life.takeUp(goal);
+    parts.resourceClaims().takeUp(goal.keeps());
+    parts.monitor().lessons().takeUp(goal.memory());
+    life.become(GoalPhase.RECOVERING, awaited);
+  }
+
+  @Override
+  public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
+    if (life.isOver()) {
+      goal.calls().forEach(begun -> former.giveUp(begun, "its goal is over"));
+      return;
+    }
+    for (Recovery.UnfinishedCall begun : goal.calls()) {
+      Optional<String> obstacle = former.obstacle(begun);
+      parts.story().takenUp(begun, obstacle);
+      if (obstacle.isPresent()) {
+        former.giveUp(begun, obstacle.get());
+        giveUp(
+            List.of(
+                "It was under way, and nobody knows what became of it: %s."
+                    .formatted(obstacle.get())));
+        return;
+      }
+      following.takeUp(former.order(begun));
+    }
+    if (!parts.underway().isEmpty()) {
+      return;
+    }
+    if (goal.lastEnd().isEmpty()) {
+      start();
+    } else if (goal.lastEnd().get().problem().isEmpty()) {
+      end(GoalState.ACHIEVED, List.of());
+    } else {
+      giveUp(List.of(Sentences.said(call.member(), goal.lastEnd().get().problem().get())));
+    }
+  }
+
+  @Override
+  public void cancel(String who) {
+    end(GoalState.CANCELLED, List.of("Cancelled by " + who + "."));
+  }
+
+  @Override
+  public void deadlinePassed() {
+    end(GoalState.FAILED, List.of("Its deadline has passed" + life.standingInWords() + "."));
+  }
+
+  private void end(GoalState how, List<String> reasons) {
+    if (!life.isOver()) {
+      life.become(GoalPhase.ENDING);
+      following.release(how);
+      life.end(how, false, Map.of(), reasons);
+      parts.activeGoals().leave(life.id());
+    }
+  }
+
+  /** It was called once, or cannot be: there is no other way. */
+  @Override
+  public void makePlan(Optional<String> why) {
+    if (!parts.underway().isEmpty()) {
+      return;
+    }
+    Optional<Boolean> succeeded = reports.last().map(report -> report.succeeded());
+    if (succeeded.isPresent()) {
+      reported();
+    } else {
+      giveUp(List.of(why.orElse("It cannot be called now.")));
+    }
+  }
+
+  private void reported() {
+    if (reports.last().orElseThrow().succeeded()) {
+      end(GoalState.ACHIEVED, List.of());
+    } else {
+      giveUp(
+          List.of(
+              Sentences.said(
+                  call.member(),
+                  reports.last().orElseThrow().problem().orElse("no reason given"))));
+    }
+  }
+
+  @Override
+  public boolean isPlanning() {
+    return false;
+  }
+
+  @Override
+  public void makePlanAgain(String why) {
+    makePlan(Optional.of(why));
+  }
+
+  @Override
+  public void adopt(Plan found, ContractNet.Round tender) {
+    following.adopt(found, tender);
+  }
+
+  @Override
+  public void noPlan(PlanningRound.Ended round) {
+    giveUp(List.of("It cannot be called now."));
+  }
+
+  @Override
+  public void noPlanToSeeIt() {
+    end(GoalState.ACHIEVED, List.of());
+  }
+
+  @Override
+  public void advance() {
+    following.advance();
+  }
+
+  /** Nothing is to be so afterwards: it is over when the call is. */
+  @Override
+  public void settle(Map<String, Term> binding) {
+    if (reports.last().isPresent()) {
+      reported();
+    } else {
+      following.advance();
+    }
+  }
+
+  @Override
+  public void giveUp(List<String> reasons) {
+    end(GoalState.FAILED, reasons);
+  }
+
+  @Override
+  public String id() {
+    return life.id();
+  }
+
+  @Override
+  public GoalStatus status() {
+    return life.status(parts.activeGoals().leases().waitsOf(life.id()));
+  }
+
+  @Override
+  public Decisions decisions() {
+    return new Decisions();
+  }
+
+  @Override
+  public PlanRecords plans() {
+    return parts.story().plans();
+  }
+
+  @Override
+  public void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
+    following.knowledgeChanged(change, changed);
+  }
+
+  @Override
+  public void memberLost(String member) {
+    following.memberLost(member);
+  }
+
+  @Override
+  public void givenBack(String member, String feature, String reason) {
+    following.givenBack(member, feature, reason);
+  }
+
+  @Override
+  public StepsUnderway underway() {
+    return parts.underway();
+  }
+
+  @Override
+  public boolean isHolding() {
+    return false;
+  }
+
+  @Override
+  public Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
+    return life.isOver() || life.state() == GoalState.SUSPENDED
+        ? Optional.empty()
+        : parts.resourceClaims().spoiledBy(changes, now, false, false);
+  }
+
+  @Override
+  public boolean isTied(String member) {
+    return parts.resourceClaims().isTied(member);
+  }
+
+  @Override
+  public double remainingSeconds() {
+    return parts.plan().remaining().stream().mapToDouble(Step::seconds).sum();
+  }
+
+  @Override
+  public OptionalDouble remainingCost() {
+    return OptionalDouble.of(parts.plan().remaining().stream().mapToDouble(Step::cost).sum());
+  }
+
+  @Override
+  public Duration pursuedSince() {
+    return life.submittedAt();
+  }
+
+  @Override
+  public double secondsOfRunningSteps() {
+    return parts.underway().steps().stream().mapToDouble(Step::seconds).max().orElse(0);
+  }
+
+  @Override
+  public void giveWayTo(String other) {
+    parts.preemption().giveWay(other);
+  }
+
+  @Override
+  public void standBackFor(String other) {
+    parts.preemption().standBackFor(other);
+  }
+
+  @Override
+  public void stepBackFor(String other) {
+    parts.preemption().stepBackFor(other);
+  }
+}

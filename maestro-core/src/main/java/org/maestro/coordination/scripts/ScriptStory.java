@@ -1,0 +1,55 @@
+package org.maestro.coordination.scripts;
+
+import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.StoryEntry;
+
+/** Tells how a script is carried out: what is done for its parts is part of its story. */
+final class ScriptStory {
+  private final String goalId;
+  private final Ports ports;
+
+  ScriptStory(String goalId, Ports ports) {
+    this.goalId = goalId;
+    this.ports = ports;
+  }
+
+  void begins(String path, String step) {
+    tell(StoryEntry.Kind.STEP, path, step + ".");
+  }
+
+  void waits(String path, String condition) {
+    tell(StoryEntry.Kind.WAIT, path, "Waits until it is known that " + condition + ".");
+  }
+
+  void recovers(String path, String reason) {
+    tell(StoryEntry.Kind.REPLAN, path, "Recovers from this: " + reason);
+  }
+
+  void states(String path, String facts) {
+    tell(StoryEntry.Kind.LEARNT, path, "It is stated that " + facts + ".");
+  }
+
+  /** What the goal for a part tells, as the script tells it. */
+  Story of(String path) {
+    return entry -> {
+      switch (entry.kind()) {
+        case GOAL, KNOWN -> {
+          // The step was told, and what is known of its things is known of the script's.
+        }
+        case END ->
+            tell(
+                entry.text().startsWith("Reached") ? StoryEntry.Kind.DONE : StoryEntry.Kind.FAILED,
+                path,
+                entry.text());
+        default -> tell(entry.kind(), path, entry.text());
+      }
+    };
+  }
+
+  private void tell(StoryEntry.Kind kind, String path, String text) {
+    ports
+        .story()
+        .tell(new StoryEntry(goalId, ports.clock().now(), kind, "[%s] %s".formatted(path, text)));
+  }
+}
