@@ -17,9 +17,12 @@ import org.maestro.sl.TypedVariable;
 
 /**
  * The words in which goals and questions can be put in a home: what may hold, numbers, places,
- * things, devices, and what these can do.
+ * things, devices, what these can do, and scripts.
  */
 public final class WordList {
+
+  /** The kind of what is stated as a goal to be carried out. */
+  public static final String SCRIPT = "script";
 
   private static final String PLACE = "Place";
   private static final String LOCATION = "Location";
@@ -29,7 +32,7 @@ public final class WordList {
   /**
    * A word.
    *
-   * @param kind predicate, number, place, thing, device or feature
+   * @param kind predicate, number, place, thing, device, feature or script
    * @param form how it is written, with its arguments
    * @param meaning what it says, or what it is
    * @param unit of a number; "" where there is none
@@ -91,7 +94,14 @@ public final class WordList {
             Comparator.comparing((Entry entry) -> rank(entry.kind())).thenComparing(Entry::form))
         .forEach(entries::add);
     list.features(entries);
+    home.scripts().values().forEach(script -> entries.add(entry(script)));
     return List.copyOf(entries);
+  }
+
+  private static Entry entry(Script script) {
+    String worth =
+        script.benefit().map(benefit -> "; worth " + SlPrinter.print(benefit)).orElse("");
+    return new Entry(SCRIPT, script.form(), script.label() + worth);
   }
 
   private static int rank(String kind) {

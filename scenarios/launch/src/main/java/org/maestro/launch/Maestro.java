@@ -28,6 +28,8 @@ import picocli.CommandLine.Spec;
       DeviceCommand.class,
       ZigbeeCommand.class,
       GoalCommand.class,
+      RunScriptCommand.class,
+      ScriptsCommand.class,
       AgentCommand.class,
       AgentsCommand.class,
       GoalsCommand.class,

@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.maestro.console.documents.ShownText;
 import org.maestro.console.traffic.CallMessages;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.bounded.BoundedMap;
@@ -127,7 +128,7 @@ public final class Traces {
   }
 
   private GoalTrace of(String goal) {
-    return traces.computeIfAbsent(goal, fresh -> new GoalTrace(MOST_ENTRIES));
+    return traces.computeIfAbsent(GoalId.whole(goal), fresh -> new GoalTrace(MOST_ENTRIES));
   }
 
   private static Optional<String> first(Pattern pattern, String text) {
