@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /**
  * The body of an action script: what is to be done, in which order, and on which condition (ADE,
@@ -12,6 +13,11 @@ import java.util.OptionalInt;
  * foreach} bring; a formula may have variables of its own under quantifiers.
  */
 public sealed interface Body {
+
+  /** The steps that it is made of, in the order in which they are written. */
+  default List<Body> parts() {
+    return List.of();
+  }
 
   /** One after the other. */
   record Seq(List<Body> parts) implements Body {
@@ -28,15 +34,30 @@ public sealed interface Body {
   }
 
   /** What is not known to be so is not so. */
-  record If(Formula condition, Body then, Optional<Body> otherwise) implements Body {}
+  record If(Formula condition, Body then, Optional<Body> otherwise) implements Body {
+    @Override
+    public List<Body> parts() {
+      return otherwise.map(other -> List.of(then, other)).orElse(List.of(then));
+    }
+  }
 
   /**
    * @param most how often at most; it fails when the condition holds still
    */
-  record While(Formula condition, Body body, OptionalInt most) implements Body {}
+  record While(Formula condition, Body body, OptionalInt most) implements Body {
+    @Override
+    public List<Body> parts() {
+      return List.of(body);
+    }
+  }
 
   /** For each individual of which the condition is known to hold, one after the other. */
-  record ForEach(TypedVariable variable, Formula condition, Body body) implements Body {}
+  record ForEach(TypedVariable variable, Formula condition, Body body) implements Body {
+    @Override
+    public List<Body> parts() {
+      return List.of(body);
+    }
+  }
 
   /** The variable stands for what the source gives, in the parts that follow. */
   record Let(String variable, Source source, List<Body> parts) implements Body {
@@ -52,6 +73,13 @@ public sealed interface Body {
   record Try(Body body, List<Recovery> recoveries, Optional<Body> last) implements Body {
     public Try {
       recoveries = List.copyOf(recoveries);
+    }
+
+    @Override
+    public List<Body> parts() {
+      return Stream.of(Stream.of(body), recoveries.stream().map(Recovery::body), last.stream())
+          .flatMap(parts -> parts)
+          .toList();
     }
   }
 

@@ -24,11 +24,18 @@ class LanguagePageTest {
   private static final Set<String> FLUENTS = Set.of("illuminance", "level", "power", "charge");
   private static final Map<String, Consumer<String>> PARSERS =
       Map.of(
-          "formula", text -> SlParser.formula(text, FLUENTS::contains),
-          "effect", text -> SlParser.effect(text, FLUENTS::contains),
-          "expression", SlParser::expression,
-          "fact", SlParser::fact,
-          "content", SlParser::content);
+          "formula",
+          text -> SlParser.formula(text, FLUENTS::contains),
+          "body",
+          text -> SlParser.body(text, FLUENTS::contains),
+          "effect",
+          text -> SlParser.effect(text, FLUENTS::contains),
+          "expression",
+          SlParser::expression,
+          "fact",
+          SlParser::fact,
+          "content",
+          SlParser::content);
 
   private record Example(String kind, String text) {}
 
@@ -81,7 +88,25 @@ class LanguagePageTest {
                 "+",
                 "*",
                 "/",
-                "-"))
+                "-",
+                "seq",
+                "par",
+                "if",
+                "while",
+                "foreach",
+                "let",
+                "value",
+                "one",
+                "run",
+                "try",
+                "recover",
+                "finally",
+                "achieve",
+                "do",
+                "assert",
+                "wait",
+                "return",
+                "fail"))
         .allSatisfy(word -> assertThat(all).contains("(" + word + " "));
   }
 }

@@ -28,6 +28,11 @@ class PrinterIsInverseTest {
   }
 
   @Property(tries = 300)
+  void ofBodies(@ForAll("bodies") Body body) {
+    assertThat(SlParser.body(SlPrinter.print(body), SyntaxTrees::isFluent)).isEqualTo(body);
+  }
+
+  @Property(tries = 300)
   void ofExpressions(@ForAll("expressions") Expression expression) {
     assertThat(SlParser.expression(SlPrinter.print(expression))).isEqualTo(expression);
   }
@@ -62,6 +67,11 @@ class PrinterIsInverseTest {
   @Provide
   Arbitrary<Effect> effects() {
     return SyntaxTrees.effects();
+  }
+
+  @Provide
+  Arbitrary<Body> bodies() {
+    return SyntaxTrees.bodies();
   }
 
   @Provide

@@ -1,6 +1,7 @@
 package org.maestro.sl;
 
 import java.util.List;
+import java.util.OptionalInt;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -122,6 +123,61 @@ final class SyntaxTrees {
                 Combinators.combine(variables(), inner).as(Effect.Forall::new)),
         0,
         2);
+  }
+
+  static Arbitrary<Body> bodies() {
+    return Arbitraries.recursive(SyntaxTrees::steps, SyntaxTrees::bodiesOf, 0, 3);
+  }
+
+  private static Arbitrary<Body> steps() {
+    return Arbitraries.oneOf(
+        formulas().map(Body.Achieve::new),
+        Combinators.combine(names(), terms(), Arbitraries.maps(names(), terms()).ofMaxSize(3))
+            .as(Body.Do::new),
+        runs().map(run -> run),
+        effects().map(Body.Assert::new),
+        formulas().map(Body.Await::new),
+        Arbitraries.oneOf(numbers().map(Term.Number::new), names().map(Term.Variable::new))
+            .map(term -> new Body.Pause(new Expression.OfTerm(term))),
+        terms().map(Body.Return::new),
+        Arbitraries.strings().ofMaxLength(8).map(Body.Fail::new));
+  }
+
+  private static Arbitrary<Body> bodiesOf(Arbitrary<Body> inner) {
+    Arbitrary<List<Body>> parts = inner.list().ofMinSize(1).ofMaxSize(3);
+    Arbitrary<Body.Recovery> recoveries =
+        Combinators.combine(Arbitraries.strings().ofMaxLength(8).optional(), inner)
+            .as(Body.Recovery::new);
+    return Arbitraries.oneOf(
+        parts.map(Body.Seq::new),
+        parts.map(Body.Par::new),
+        Combinators.combine(formulas(), inner, inner.optional()).as(Body.If::new),
+        Combinators.combine(
+                formulas(), inner, Arbitraries.integers().between(1, 999_999_999).optional())
+            .as(
+                (condition, body, most) ->
+                    new Body.While(
+                        condition, body, most.map(OptionalInt::of).orElseGet(OptionalInt::empty))),
+        Combinators.combine(variable(), formulas(), inner).as(Body.ForEach::new),
+        Combinators.combine(names(), sources(), parts).as(Body.Let::new),
+        Combinators.combine(inner, recoveries.list().ofMaxSize(2), inner.optional())
+            .as(Body.Try::new)
+            .filter(attempt -> !attempt.recoveries().isEmpty() || attempt.last().isPresent()));
+  }
+
+  private static Arbitrary<Body.Source> sources() {
+    return Arbitraries.oneOf(
+        expressions().map(Body.Source.Value::new),
+        Combinators.combine(variable(), formulas()).as(Body.Source.One::new),
+        runs().map(run -> run));
+  }
+
+  private static Arbitrary<Body.Run> runs() {
+    return Combinators.combine(names(), terms().list().ofMaxSize(3)).as(Body.Run::new);
+  }
+
+  private static Arbitrary<TypedVariable> variable() {
+    return variables().map(variables -> variables.get(0));
   }
 
   static Arbitrary<Fact> facts() {

@@ -61,10 +61,26 @@ final class HomeCheck {
   void checkThing(Node node, boolean isDevice) {
     if (isDevice) {
       checkId(node);
-    } else if (!Literals.name(node).matches("[\\p{L}\\p{N}_][\\p{L}\\p{N}_.@%+-]*")) {
-      graph.fault(node, "is no name for formulas", "write letters, digits and . _ - @ % +");
+    } else {
+      checkName(node);
     }
     checkClasses(node);
+    checkProperties(node);
+  }
+
+  /** The same of a script, which is no thing. */
+  void checkScript(Node node) {
+    checkName(node);
+    checkProperties(node);
+  }
+
+  private void checkName(Node node) {
+    if (!Literals.name(node).matches("[\\p{L}\\p{N}_][\\p{L}\\p{N}_.@%+-]*")) {
+      graph.fault(node, "is no name for formulas", "write letters, digits and . _ - @ % +");
+    }
+  }
+
+  private void checkProperties(Node node) {
     graph.predicates(node).forEach(property -> checkProperty(node, property, true));
   }
 

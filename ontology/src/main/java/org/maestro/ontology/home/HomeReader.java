@@ -15,7 +15,7 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
 
-/** Reads the home of a graph: its things and its devices. */
+/** Reads the home of a graph: its things, its devices and its scripts. */
 final class HomeReader {
 
   private static final String HOME = "Home";
@@ -38,12 +38,16 @@ final class HomeReader {
     IndividualReader reader = new IndividualReader(graph, vocabulary);
     List<Node> homes = graph.subjects(RDF.type.asNode(), Maestro.term(HOME));
     for (Node subject : graph.subjectsOf(source)) {
-      if (subject.isURI() && !homes.contains(subject) && !isAWord(subject)) {
+      if (subject.isURI()
+          && !homes.contains(subject)
+          && !isAWord(subject)
+          && !ScriptReader.isScript(graph, subject)) {
         Individual individual = reader.read(subject);
         checkName(subject, individual.name(), nodes);
         individuals.put(individual.name(), individual);
       }
     }
+    Map<String, Node> scripts = scripts(nodes);
     roomsAsZones(individuals);
     VocabularyCheck words = new VocabularyCheck(graph, vocabulary, individuals::containsKey);
     words.check();
@@ -56,10 +60,30 @@ final class HomeReader {
             individuals,
             devices(individuals, nodes, words),
             groups(individuals, nodes, words),
-            Map.of(),
+            readScripts(scripts),
             ownWords());
-    check(home, nodes);
+    check(home, nodes, scripts);
     return home;
+  }
+
+  /** The scripts of the text, whose names are neither things' nor words'. */
+  private Map<String, Node> scripts(Map<String, Node> things) {
+    Map<String, Node> taken = new TreeMap<>(things);
+    Map<String, Node> scripts = new TreeMap<>();
+    for (Node subject : graph.subjectsOf(source)) {
+      if (subject.isURI() && ScriptReader.isScript(graph, subject)) {
+        checkName(subject, Literals.name(subject), taken);
+        scripts.put(Literals.name(subject), subject);
+      }
+    }
+    return scripts;
+  }
+
+  private Map<String, Script> readScripts(Map<String, Node> nodes) {
+    ScriptReader reader = new ScriptReader(graph, vocabulary);
+    Map<String, Script> scripts = new TreeMap<>();
+    nodes.forEach((name, node) -> scripts.put(name, reader.read(node)));
+    return scripts;
   }
 
   private String ownWords() {
@@ -99,7 +123,7 @@ final class HomeReader {
   }
 
   /** Thing by thing, and the map as a whole if nothing was wrong before. */
-  private void check(Home home, Map<String, Node> nodes) {
+  private void check(Home home, Map<String, Node> nodes, Map<String, Node> scripts) {
     HomeCheck check = new HomeCheck(graph, vocabulary);
     nodes.forEach(
         (name, node) -> {
@@ -117,6 +141,8 @@ final class HomeReader {
               check.checkReported(node, device);
             });
     new PermissionCheck(graph, home).check(nodes);
+    scripts.values().forEach(check::checkScript);
+    new ScriptCheck(graph, home).check(scripts);
     if (graph.faults().isEmpty()) {
       new MapCheck(graph, home).check();
     }

@@ -111,7 +111,7 @@ public final class StatementCheck {
         .flatMap(device -> device.extension().synonyms().common(word).stream())
         .findFirst()
         .map(common -> "write %s, as it is called here".formatted(common))
-        .orElseGet(() -> known(kind));
+        .orElseGet(() -> kind.equals("Individual") ? NameCheck.declare(kind, word) : known(kind));
   }
 
   /** The words that there are, and how one is written. */

@@ -1,5 +1,7 @@
 package org.maestro.ontology.vocabulary;
 
+import java.time.Duration;
+import java.time.format.DateTimeParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -70,6 +72,19 @@ public final class Literals {
     } catch (NumberFormatException e) {
       graph.fault(subject, term, value, "is not a number", "write a number");
       return OptionalDouble.empty();
+    }
+  }
+
+  /** Days to seconds. */
+  public Optional<Duration> duration(Node subject, String property) {
+    Node term = Maestro.term(property);
+    Optional<Node> value = graph.object(subject, term);
+    try {
+      return value.map(Literals::name).map(Duration::parse);
+    } catch (DateTimeParseException | ArithmeticException e) {
+      graph.fault(
+          subject, term, value, "is not a duration", "write days to seconds, such as PT10M");
+      return Optional.empty();
     }
   }
 

@@ -40,7 +40,7 @@ public final class NameCheck {
    * @param variables those that may be used freely, with the classes and datatypes of which one
    *     fits; none where that is not known
    * @param advice what to do about an unknown word (second argument) that is like no other; its
-   *     kind is Predicate, Fluent or Class
+   *     kind is Predicate, Fluent, Class or Individual
    * @param problems takes a problem and its cure
    */
   public NameCheck(
@@ -57,6 +57,15 @@ public final class NameCheck {
     this.types = new HashMap<>(variables);
     this.advice = advice;
     this.problems = problems;
+  }
+
+  /** What is to be done where nothing is known of which a word may be a slip. */
+  public static String declare(String kind, String word) {
+    return switch (kind) {
+      case "Class" -> "declare it as an owl:Class";
+      case "Individual" -> "describe it in the home, or write ?" + word + " for a parameter";
+      default -> "declare it as a maestro:" + kind;
+    };
   }
 
   public void check(Formula formula) {
@@ -107,7 +116,7 @@ public final class NameCheck {
 
   public void check(Expression expression) {
     if (expression instanceof Expression.OfTerm ofTerm) {
-      term(ofTerm.term());
+      check(ofTerm.term());
     } else if (expression instanceof Expression.Fluent fluent) {
       fluent(fluent.name(), fluent.arguments());
     } else if (expression instanceof Expression.Arithmetic arithmetic) {
@@ -124,7 +133,7 @@ public final class NameCheck {
       either(unknown.atom());
     } else if (fact instanceof Fact.Equation equation) {
       check(equation.fluent());
-      term(equation.value());
+      check(equation.value());
     }
   }
 
@@ -150,7 +159,7 @@ public final class NameCheck {
     } else if (!(atom.arguments().get(0) instanceof Term.Name)) {
       argument(atom.arguments().get(0), name, "(" + name + " ?x)");
     }
-    atom.arguments().forEach(this::term);
+    atom.arguments().forEach(this::check);
   }
 
   private void unknownPredicate(String name, List<Term> arguments) {
@@ -178,7 +187,7 @@ public final class NameCheck {
     } else {
       arguments(declared, arguments);
     }
-    arguments.forEach(this::term);
+    arguments.forEach(this::check);
   }
 
   private void arguments(PredicateDeclaration declared, List<Term> arguments) {
@@ -228,8 +237,7 @@ public final class NameCheck {
       return true;
     }
     return vocabulary.classes().containsKey(type)
-        ? vocabulary.classes().keySet().stream()
-            .anyMatch(name -> vocabulary.isA(name, type) && vocabulary.isA(name, wanted))
+        ? vocabulary.mayBeBoth(type, wanted)
         : !Parameter.isDatatype(type);
   }
 
@@ -259,7 +267,7 @@ public final class NameCheck {
     }
   }
 
-  private void term(Term term) {
+  public void check(Term term) {
     if (term instanceof Term.Variable variable && !variables.contains(variable.name())) {
       problems.accept(
           "uses ?" + variable.name() + ", which nothing binds",
@@ -270,7 +278,7 @@ public final class NameCheck {
     } else if (term instanceof Term.Name name && !individuals.test(name.text())) {
       problems.accept(
           "names " + name.text() + ", which is not described",
-          "describe it in the home, or write ?" + name.text() + " for a parameter");
+          advice.apply("Individual", name.text()));
     }
   }
 

@@ -61,7 +61,7 @@ public record Parameter(
   }
 
   /** Whether a type of this name is one of values, not of things. */
-  static boolean isDatatype(String type) {
+  public static boolean isDatatype(String type) {
     return OWN_DATATYPES.contains(type) || XML_DATATYPES.contains(type);
   }
 }

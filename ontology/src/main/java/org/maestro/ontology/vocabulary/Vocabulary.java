@@ -122,6 +122,11 @@ public record Vocabulary(
     return predicates.containsKey(name) && predicates.get(name).fluent();
   }
 
+  /** Whether something may be of both classes. */
+  public boolean mayBeBoth(String one, String other) {
+    return classes.keySet().stream().anyMatch(name -> isA(name, one) && isA(name, other));
+  }
+
   /**
    * Whether the class is the ancestor or under it; a name without declaration is a class of its
    * own.

@@ -352,10 +352,7 @@ public final class VocabularyCheck {
               individuals,
               (individual, className) -> true,
               variables,
-              (kind, word) ->
-                  kind.equals("Class")
-                      ? "declare it as an owl:Class"
-                      : "declare it as a maestro:" + kind,
+              NameCheck::declare,
               (problem, cure) -> fault(node, property, problem, cure)));
     }
   }

@@ -1,7 +1,6 @@
 package org.maestro.ontology.vocabulary;
 
 import java.time.Duration;
-import java.time.format.DateTimeParseException;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -34,7 +33,8 @@ public final class VocabularyReader {
           "Feature",
           "Action",
           "Task",
-          "Home");
+          "Home",
+          "Script");
 
   /** A hundred years, beyond which clocks have no instants to reckon with. */
   private static final Duration LONGEST_AGE = Duration.ofDays(36_500);
@@ -220,20 +220,18 @@ public final class VocabularyReader {
   }
 
   private Optional<Duration> validFor(Node node) {
-    Node property = Maestro.term("validFor");
-    Optional<Node> value = graph.object(node, property);
-    try {
-      Optional<Duration> age = value.map(Literals::name).map(Duration::parse);
-      if (age.filter(given -> given.isNegative() || given.compareTo(LONGEST_AGE) > 0).isPresent()) {
-        graph.fault(node, property, value, "is no age that a fact can have", "write up to P36500D");
-        return Optional.empty();
-      }
-      return age;
-    } catch (DateTimeParseException | ArithmeticException e) {
+    Optional<Duration> age = literals.duration(node, "validFor");
+    if (age.filter(given -> given.isNegative() || given.compareTo(LONGEST_AGE) > 0).isPresent()) {
+      Node property = Maestro.term("validFor");
       graph.fault(
-          node, property, value, "is not a duration", "write days to seconds, such as PT10M");
+          node,
+          property,
+          graph.object(node, property),
+          "is no age that a fact can have",
+          "write up to P36500D");
       return Optional.empty();
     }
+    return age;
   }
 
   private Map<String, Duration> validForByClass(Node node) {

@@ -1,0 +1,90 @@
+package org.maestro.ontology.home;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.apache.jena.graph.Node;
+import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.Nearest;
+import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.sl.TypedVariable;
+
+/** Checks the scripts of a home: each by itself, and that they end. */
+final class ScriptCheck {
+  private final SourceGraph graph;
+  private final Home home;
+
+  ScriptCheck(SourceGraph graph, Home home) {
+    this.graph = graph;
+    this.home = home;
+  }
+
+  void check(Map<String, Node> nodes) {
+    if (nodes.isEmpty()) {
+      return;
+    }
+    Offers offers = new Offers(graph, home);
+    nodes.forEach((name, node) -> check(node, HomeCheck.named(home.scripts(), name), offers));
+  }
+
+  private void check(Node node, Script script, Offers offers) {
+    checkParameters(node, script.parameters());
+    Map<String, List<String>> variables = new HashMap<>();
+    script
+        .parameters()
+        .forEach(parameter -> variables.put(parameter.name(), BodyCheck.classes(parameter)));
+    BodyCheck ofBenefit =
+        new BodyCheck(home, offers, (problem, cure) -> fault(node, "benefit", problem, cure));
+    script.benefit().ifPresent(benefit -> ofBenefit.names(variables).check(benefit));
+    new BodyCheck(home, offers, (problem, cure) -> fault(node, "body", problem, cure))
+        .check(script.body(), variables);
+    List<String> endless = EndlessRuns.from(script.name(), home.scripts());
+    if (!endless.isEmpty()) {
+      fault(
+          node,
+          "body",
+          "runs itself without an end (%s)".formatted(String.join(", ", endless)),
+          "put one of these runs under a condition, such as (if ... (run %s ...))"
+              .formatted(endless.get(1)));
+    }
+  }
+
+  private void checkParameters(Node node, List<TypedVariable> parameters) {
+    Set<String> known = new TreeSet<>(home.vocabulary().classes().keySet());
+    Set<String> names = new TreeSet<>();
+    for (TypedVariable parameter : parameters) {
+      if (!names.add(parameter.name())) {
+        fault(
+            node,
+            "arguments",
+            "names ?%s twice".formatted(parameter.name()),
+            "give one of both another name");
+      }
+      if (parameter.className().isEmpty()) {
+        fault(
+            node,
+            "arguments",
+            "does not say what ?%s is".formatted(parameter.name()),
+            "write its class or datatype, such as \"?%s - Thing\"".formatted(parameter.name()));
+      }
+      parameter
+          .className()
+          .filter(type -> !Parameter.isDatatype(type) && !known.contains(type))
+          .ifPresent(
+              type ->
+                  fault(
+                      node,
+                      "arguments",
+                      "use the unknown class " + type,
+                      Nearest.cure(type, known, "declare it as an owl:Class")));
+    }
+  }
+
+  private void fault(Node node, String property, String problem, String cure) {
+    graph.fault(node, Maestro.term(property), Optional.empty(), problem, cure);
+  }
+}
