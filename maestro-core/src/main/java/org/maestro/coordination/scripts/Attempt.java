@@ -28,7 +28,7 @@ final class Attempt extends Part {
   }
 
   private void begin(Body body, int number, Consumer<Result> then) {
-    Part part = Parts.of(body, scope, course, below(number), then);
+    Part part = course.part(body, scope, below(number), then);
     current = Optional.of(part);
     part.begin();
   }

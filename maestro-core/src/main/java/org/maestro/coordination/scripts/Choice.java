@@ -31,7 +31,7 @@ final class Choice extends Part {
       return;
     }
     Body way = isSo ? choice.then() : choice.otherwise().orElseThrow();
-    Part part = Parts.of(way, scope, course, below(isSo ? 1 : 2), this::finish);
+    Part part = course.part(way, scope, below(isSo ? 1 : 2), this::finish);
     taken = Optional.of(part);
     part.begin();
   }

@@ -25,6 +25,7 @@ import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Script;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Body;
 import org.maestro.sl.Change;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
@@ -49,6 +50,7 @@ final class Course {
   private final Ports ports;
   private final ActiveGoals activeGoals;
   private final Subgoals subgoals;
+  private final PartMaker parts;
   private final Notes notes;
   private final ScriptStory told;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
@@ -71,13 +73,15 @@ final class Course {
       GoalPriority standing,
       Ports ports,
       ActiveGoals activeGoals,
-      Subgoals subgoals) {
+      Subgoals subgoals,
+      PartMaker parts) {
     this.goalId = goalId;
     this.whole = whole;
     this.standing = standing;
     this.ports = ports;
     this.activeGoals = activeGoals;
     this.subgoals = subgoals;
+    this.parts = parts;
     this.notes = new Notes(goalId, ports.journal());
     this.told = new ScriptStory(goalId, ports);
   }
@@ -88,6 +92,11 @@ final class Course {
       values.put(script.parameters().get(i).name(), arguments.get(i));
     }
     return new Scope(values, depth);
+  }
+
+  /** A part of the script that is not begun yet. */
+  Part part(Body body, Scope scope, String path, Consumer<Result> then) {
+    return parts.part(body, scope, this, path, then);
   }
 
   Notes notes() {

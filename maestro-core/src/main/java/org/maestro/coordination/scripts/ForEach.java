@@ -50,10 +50,9 @@ final class ForEach extends Part {
       return;
     }
     Part part =
-        Parts.of(
+        course.part(
             each.body(),
             scope.with(each.variable().name(), names.get(at)),
-            course,
             below(at + 1),
             result -> {
               if (result instanceof Result.Done) {

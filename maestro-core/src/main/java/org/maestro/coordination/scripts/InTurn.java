@@ -28,10 +28,9 @@ final class InTurn extends Part {
       return;
     }
     Part part =
-        Parts.of(
+        course.part(
             bodies.get(at),
             scope,
-            course,
             below(at + 1),
             result -> {
               if (result instanceof Result.Done) {

@@ -71,8 +71,11 @@ final class Let extends Part {
   private void found(Term value) {
     course.notes().value(path, value);
     begin(
-        Parts.inTurn(
-            let.parts(), scope.with(let.variable(), value), course, below(PARTS), this::finish));
+        course.part(
+            new Body.Seq(let.parts()),
+            scope.with(let.variable(), value),
+            below(PARTS),
+            this::finish));
   }
 
   private void begin(Part part) {

@@ -53,7 +53,7 @@ final class Loop extends Part {
       // What was done before a restart took time then.
       long deeds = wasBegun ? -1 : course.deeds();
       Part part =
-          Parts.of(loop.body(), scope, course, begun, result -> ended(finished + 1, deeds, result));
+          course.part(loop.body(), scope, begun, result -> ended(finished + 1, deeds, result));
       round = Optional.of(part);
       part.begin();
     }

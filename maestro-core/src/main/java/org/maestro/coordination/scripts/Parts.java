@@ -1,6 +1,5 @@
 package org.maestro.coordination.scripts;
 
-import java.util.List;
 import java.util.function.Consumer;
 import org.maestro.sl.Body;
 
@@ -32,10 +31,5 @@ final class Parts {
       return new Waiting(body, scope, course, path, then);
     }
     return new Statement(body, scope, course, path, then);
-  }
-
-  static Part inTurn(
-      List<Body> bodies, Scope scope, Course course, String path, Consumer<Result> then) {
-    return new InTurn(bodies, scope, course, path, then);
   }
 }

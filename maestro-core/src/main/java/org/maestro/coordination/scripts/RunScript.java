@@ -55,10 +55,9 @@ final class RunScript extends Part {
                   .formatted(Course.DEEPEST, run.script())));
     } else {
       Part part =
-          Parts.of(
+          course.part(
               script.get().body(),
               Course.scope(script.get(), arguments, scope.depth() + 1),
-              course,
               below(1),
               this::ran);
       body = Optional.of(part);

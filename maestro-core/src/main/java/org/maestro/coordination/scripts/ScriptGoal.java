@@ -72,10 +72,10 @@ public final class ScriptGoal implements ActiveGoal {
     this.activeGoals = activeGoals;
     this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.course = new Course(id, request, standing, ports, activeGoals, subgoals);
+    this.course = new Course(id, request, standing, ports, activeGoals, subgoals, Parts::of);
     List<Term> arguments = ((Formula.Atom) request.goal()).arguments();
-    List<Body> steps = script.body() instanceof Body.Seq seq ? seq.parts() : List.of(script.body());
-    this.root = Parts.inTurn(steps, Course.scope(script, arguments, 1), course, ROOT, this::ended);
+    Body steps = script.body() instanceof Body.Seq seq ? seq : new Body.Seq(List.of(script.body()));
+    this.root = course.part(steps, Course.scope(script, arguments, 1), ROOT, this::ended);
   }
 
   /** The script that a goal asks for, if it does. */

@@ -24,7 +24,7 @@ final class SideBySide extends Part {
   @Override
   void proceed() {
     for (int i = 0; i < bodies.size(); i++) {
-      parts.add(Parts.of(bodies.get(i), scope, course, below(i + 1), this::ended));
+      parts.add(course.part(bodies.get(i), scope, below(i + 1), this::ended));
     }
     List.copyOf(parts)
         .forEach(

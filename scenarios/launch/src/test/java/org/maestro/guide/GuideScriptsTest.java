@@ -1,0 +1,105 @@
+package org.maestro.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.maestro.agents.content.AskedGoal;
+import org.maestro.assembly.SiteSettings;
+import org.maestro.junit.GoalOutcome;
+import org.maestro.junit.MaestroAssertions;
+import org.maestro.junit.Pursuit;
+import org.maestro.junit.Stage;
+import org.maestro.launch.Printed;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sim.scene.SceneLoader;
+
+/** The scripts of the guide are listed as it shows, and do what it says. */
+class GuideScriptsTest {
+  private static final Path GUIDE = Path.of("../../docs/guide-scripts.md");
+  private static final Path ASSEMBLED = Path.of("../assembly/src/main/resources");
+
+  @TempDir private Path directory;
+
+  private static String block(String language) throws IOException {
+    Matcher block =
+        Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL)
+            .matcher(Files.readString(GUIDE));
+    assertThat(block.find()).isTrue();
+    return block.group(1);
+  }
+
+  private static String turtle() throws IOException {
+    return Files.readString(ASSEMBLED.resolve("homes/bob.ttl")) + "\n" + block("turtle");
+  }
+
+  private static Stage stage(String name) throws IOException {
+    Home home = new HomeLoader().load(turtle(), "bob.ttl");
+    return Stage.stepped(
+        SiteSettings.of("scripts-" + name, home)
+            .scene(
+                SceneLoader.load(
+                    "bob-dark",
+                    new ByteArrayInputStream(
+                        Files.readString(ASSEMBLED.resolve("scenes/bob-dark.ttl"))
+                            .getBytes(StandardCharsets.UTF_8)),
+                    home))
+            .build());
+  }
+
+  @Test
+  void scriptsAreListedWithWhatTheyTakeAndAreWorth() throws IOException {
+    Path home = Files.writeString(directory.resolve("bob.ttl"), turtle());
+
+    assertThat(Printed.by("scripts", home.toString())).isEqualTo(block("text"));
+    assertThat(Printed.by("scripts", "arena")).startsWith("This home has no scripts");
+    assertThat(Printed.by("scripts", home.toString(), "--json")).contains("\"kind\":\"script\"");
+  }
+
+  @Test
+  void goodNightTurnsEverythingOff() throws IOException {
+    try (Stage stage = stage("night")) {
+      GoalOutcome outcome = stage.goal("(goodNight)");
+
+      MaestroAssertions.assertThat(outcome).isReached();
+      MaestroAssertions.assertThat(stage.world()).hasLampAt("lamp-a1", 0).hasLampAt("lamp-a2", 0);
+    }
+  }
+
+  @Test
+  void whoBringsSomethingComesBackWhateverBecomesOfIt() throws IOException {
+    try (Stage stage = stage("bring")) {
+      MaestroAssertions.assertThat(stage.goal("(bring Cup Bob)"))
+          .isReached()
+          .tells("Worth: u = 0.8·60")
+          .tells("[1.2");
+      MaestroAssertions.assertThat(stage.world()).hasNextTo("Cup", "Bob");
+      MaestroAssertions.assertThat(stage.knowledge()).knows("(in rose zone-b)");
+
+      Pursuit given = stage.begin(new AskedGoal("(bring Cup Bob)"));
+      given.await();
+      MaestroAssertions.assertThat(stage.knowledge()).knows("(in rose zone-b)");
+    }
+  }
+
+  @Test
+  void whatCannotBeAsBrightAsWishedIsAsBrightAsItGets() throws IOException {
+    try (Stage stage = stage("bright")) {
+      MaestroAssertions.assertThat(stage.goal("(brighten zone-b 100000)"))
+          .isReached()
+          .tells("Recovers from this");
+      MaestroAssertions.assertThat(stage.world())
+          .hasLampAt("lamp-b1", 1)
+          .hasLampAt("lamp-b2", 1)
+          .hasLampAt("lamp-b3", 1);
+    }
+  }
+}
