@@ -230,6 +230,26 @@ class ScriptsTest {
   }
 
   @Test
+  void twoScriptsRunAtTheSameTimeAndTheSecondOnOneRobotWaitsWithTheReason() {
+    script("carry", "?item - Item, ?where - Zone", "(seq (achieve (in ?item ?where)))");
+    script("walk", "?robot - Device, ?where - Zone", "(do move ?robot :to ?where)");
+    house().with("tim", "zone-c");
+    String first = house.wish("(carry Cup zone-a)");
+    house.clock.run(Duration.ofMillis(500));
+    String beside = house.wish("(walk tim zone-b)");
+    String second = house.wish("(walk rose zone-b)");
+    house.clock.run(Duration.ofMillis(500));
+
+    assertThat(house.state(first)).isEqualTo(GoalState.RUNNING);
+    assertThat(house.state(beside)).isEqualTo(GoalState.RUNNING);
+    assertThat(house.state(second)).as(house.told()).isEqualTo(GoalState.WAITING);
+    assertThat(house.status(second).detail()).contains("the base of rose is held by " + first);
+    assertThat(house.run(3, Duration.ofMinutes(10))).as(house.told()).isTrue();
+    assertThat(house.outcomes.values()).as(house.told()).allMatch(GoalOutcome::reached);
+    assertThat(house.accidents).isEmpty();
+  }
+
+  @Test
   void scriptsAndGoalsContendAsEquals() {
     script("tour", "", "(seq (achieve (in rose zone-b)) (achieve (in rose zone-c)))");
     house();
