@@ -99,6 +99,13 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(Formula goal) {
+    script(goal)
+        .ifPresent(
+            script -> {
+              throw new InvalidGoalException(
+                  "%s is a script, whose plans are made as it goes on; state it as a goal."
+                      .formatted(script.name()));
+            });
     statements
         .fault(goal)
         .ifPresent(

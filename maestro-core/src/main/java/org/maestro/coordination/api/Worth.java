@@ -76,14 +76,12 @@ public record Worth(
         || growth <= 0
         || utility().isEmpty()
         || !isWorthIt()
-        || elapsed.compareTo(allowed.get()) >= 0) {
+        || elapsed.compareTo(allowed.get()) >= 0
+        || GoalPriority.grade(utility().getAsDouble() * urgencyTo) <= grade()) {
       return Optional.empty();
     }
     double wanted = GoalPriority.lowestOf(grade() + 1) / utility().getAsDouble();
-    double share = (wanted - urgencyFrom) / growth;
-    if (share > 1) {
-      return Optional.empty();
-    }
+    double share = Math.min(1, (wanted - urgencyFrom) / growth);
     long nanos = (long) Math.ceil(share * allowed.get().toNanos());
     Duration at = Duration.ofMillis(nanos / 1_000_000 + 1);
     return Optional.of(at.compareTo(elapsed) > 0 ? at : elapsed.plusMillis(1));
