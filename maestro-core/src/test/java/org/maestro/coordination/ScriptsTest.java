@@ -75,6 +75,7 @@ class ScriptsTest {
     assertThat(run("(tidy Cup zone-c)").reached()).as(house.told()).isTrue();
 
     assertThat(house.calls).containsExactly("move rose", "pick rose", "move rose", "place rose");
+    assertThat(house.outcomes.get("G1").calls()).isEqualTo(4);
     assertThat(house.place).containsEntry("Cup", "zone-c");
     assertThat(house.told())
         .contains(

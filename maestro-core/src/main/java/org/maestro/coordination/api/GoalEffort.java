@@ -18,6 +18,14 @@ public record GoalEffort(int plans, int confirmingPlans, int calls) {
     return new GoalEffort(plans, confirmingPlans, calls + 1);
   }
 
+  /** With what a goal took that was pursued for a part of this one. */
+  public GoalEffort with(GoalOutcome part) {
+    return new GoalEffort(
+        Math.max(plans, confirmingPlans + 1) + part.replans(),
+        confirmingPlans,
+        calls + part.calls());
+  }
+
   /** Plans made after the first, without those to have it seen. */
   public int replans() {
     return Math.max(0, plans - confirmingPlans - 1);

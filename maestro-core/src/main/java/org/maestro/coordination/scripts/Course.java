@@ -51,6 +51,7 @@ final class Course {
   private final ActiveGoals activeGoals;
   private final Subgoals subgoals;
   private final PartMaker parts;
+  private final Consumer<GoalOutcome> partEnded;
   private final Notes notes;
   private final ScriptStory told;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
@@ -67,6 +68,9 @@ final class Course {
 
   private record Watching(FactFilter interest, Runnable then) {}
 
+  /**
+   * @param partEnded told how each goal for a part has ended
+   */
   Course(
       String goalId,
       GoalRequest whole,
@@ -74,7 +78,8 @@ final class Course {
       Ports ports,
       ActiveGoals activeGoals,
       Subgoals subgoals,
-      PartMaker parts) {
+      PartMaker parts,
+      Consumer<GoalOutcome> partEnded) {
     this.goalId = goalId;
     this.whole = whole;
     this.standing = standing;
@@ -82,6 +87,7 @@ final class Course {
     this.activeGoals = activeGoals;
     this.subgoals = subgoals;
     this.parts = parts;
+    this.partEnded = partEnded;
     this.notes = new Notes(goalId, ports.journal());
     this.told = new ScriptStory(goalId, ports);
   }
@@ -321,6 +327,7 @@ final class Course {
     underway.remove(path);
     unseen |= !outcome.confirmed();
     subgoals.over(notes.partId(path));
+    partEnded.accept(outcome);
     then.accept(Notes.result(outcome));
   }
 

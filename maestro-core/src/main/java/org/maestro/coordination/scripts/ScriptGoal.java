@@ -72,7 +72,8 @@ public final class ScriptGoal implements ActiveGoal {
     this.activeGoals = activeGoals;
     this.story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
     this.life = new GoalLife(id, request, ports, story, ended);
-    this.course = new Course(id, request, standing, ports, activeGoals, subgoals, Parts::of);
+    this.course =
+        new Course(id, request, standing, ports, activeGoals, subgoals, Parts::of, this::partEnded);
     List<Term> arguments = ((Formula.Atom) request.goal()).arguments();
     Body steps = script.body() instanceof Body.Seq seq ? seq : new Body.Seq(List.of(script.body()));
     this.root = course.part(steps, Course.scope(script, arguments, 1), ROOT, this::ended);
@@ -152,6 +153,12 @@ public final class ScriptGoal implements ActiveGoal {
         .ifPresentOrElse(
             why -> endEarly(GoalState.CANCELLED, ((Term.Text) why).value()),
             () -> onceRecovered.ifPresent(Runnable::run));
+  }
+
+  private void partEnded(GoalOutcome part) {
+    if (!life.isOver()) {
+      life.add(part);
+    }
   }
 
   private void ended(Result result) {

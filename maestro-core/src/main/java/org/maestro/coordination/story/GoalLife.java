@@ -172,6 +172,12 @@ public final class GoalLife {
     }
   }
 
+  /** What was done for a part of it was done for it; that is written down. */
+  public void add(GoalOutcome part) {
+    effort = effort.with(part);
+    journal.write(new JournalEntry.Became(id, state, detail, effort));
+  }
+
   public void end(
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
     end(how, confirmed, binding, reasons, List.of());

@@ -6,16 +6,12 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.console.documents.WordsDocument;
-import org.maestro.console.questions.Questions;
 import org.maestro.ontology.home.WordList;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Lists the scripts of a home. */
@@ -26,25 +22,14 @@ final class ScriptsCommand implements Callable<Integer> {
   private static final List<String> COLUMNS = List.of("script", "what it does");
 
   @Spec private CommandSpec spec;
-  @Mixin private PlatformOptions platform;
-
-  @Parameters(
-      arity = "0..1",
-      paramLabel = "HOME.ttl",
-      completionCandidates = Shipped.Homes.class,
-      description = "A home file, or a shipped home: bob, arena; without: the running platform.")
-  private Optional<String> home = Optional.empty();
+  @Mixin private HomeWords words;
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
   @Override
   public Integer call() {
-    JsonNode document =
-        home.map(Shipped::home)
-            .map(WordList::of)
-            .map(WordsDocument::of)
-            .orElseGet(this::ofThePlatform);
+    JsonNode document = words.document();
     ArrayNode scripts = JsonNodeFactory.instance.arrayNode();
     document
         .path("words")
@@ -71,11 +56,5 @@ final class ScriptsCommand implements Callable<Integer> {
           .print(out);
     }
     return ExitCode.DONE;
-  }
-
-  private JsonNode ofThePlatform() {
-    try (AskedPlatform asked = platform.ask()) {
-      return asked.answer(Questions::words);
-    }
   }
 }

@@ -3,16 +3,11 @@ package org.maestro.launch;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.console.documents.WordsDocument;
-import org.maestro.console.questions.Questions;
-import org.maestro.ontology.home.WordList;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Shows the words in which goals and questions can be put. */
@@ -25,25 +20,14 @@ final class WordsCommand implements Callable<Integer> {
   private static final List<String> COLUMNS = List.of("kind", "word", "meaning");
 
   @Spec private CommandSpec spec;
-  @Mixin private PlatformOptions platform;
-
-  @Parameters(
-      arity = "0..1",
-      paramLabel = "HOME.ttl",
-      completionCandidates = Shipped.Homes.class,
-      description = "A home file, or a shipped home: bob, arena; without: the running platform.")
-  private Optional<String> home = Optional.empty();
+  @Mixin private HomeWords words;
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
   @Override
   public Integer call() {
-    JsonNode document =
-        home.map(Shipped::home)
-            .map(WordList::of)
-            .map(WordsDocument::of)
-            .orElseGet(this::ofThePlatform);
+    JsonNode document = words.document();
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
       out.println(document);
@@ -60,11 +44,5 @@ final class WordsCommand implements Callable<Integer> {
           .print(out);
     }
     return ExitCode.DONE;
-  }
-
-  private JsonNode ofThePlatform() {
-    try (AskedPlatform asked = platform.ask()) {
-      return asked.answer(Questions::words);
-    }
   }
 }

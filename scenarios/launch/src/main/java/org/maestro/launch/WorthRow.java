@@ -2,23 +2,28 @@ package org.maestro.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import java.util.Set;
 import org.maestro.coordination.api.Sentences;
 
 /** The worth of a goal as a row for people: the formulas of ADE, 4.1, with the numbers in them. */
 final class WorthRow {
   private static final String COUNTS_AS_ANY = "100 (none stated)";
 
+  /** What is over stands before nobody. */
+  private static final Set<String> ENDS = Set.of("achieved", "failed", "cancelled");
+
   private WorthRow() {}
 
   static List<String> of(JsonNode goal) {
     JsonNode worth = goal.path("worth");
     boolean isStated = worth.isObject();
+    boolean isOver = ENDS.contains(goal.path("state").asText());
     return List.of(
         JsonRows.text(goal, "id"),
         JsonRows.text(goal, "goal"),
         JsonRows.text(goal, "state"),
         goal.path("priority").asText(),
-        isStated ? number(worth, "weight") : COUNTS_AS_ANY,
+        isStated ? number(worth, "weight") : isOver ? "-" : COUNTS_AS_ANY,
         isStated ? utility(worth) : "-",
         isStated ? urgency(worth) : "-",
         goal.path("detail").asText(""));

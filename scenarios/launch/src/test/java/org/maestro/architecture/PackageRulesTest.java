@@ -214,7 +214,8 @@ class PackageRulesTest {
           .resideInAnyPackage(within("facts", "lessons", "story", "recovery", "contention"))
           .orShould()
           .dependOnClassesThat()
-          .resideInAnyPackage(within("allocation", "achievement", "maintenance"));
+          .resideInAnyPackage(
+              within("allocation", "achievement", "maintenance", "scripts", "worth"));
 
   @ArchTest
   static final ArchRule COORDINATIONS_API_KNOWS_NONE_OF_ITS_PARTS =
@@ -241,6 +242,19 @@ class PackageRulesTest {
   @ArchTest
   static final ArchRule GOALS_THAT_ARE_HELD_DO_NOT_KNOW_HOW_ONE_IS_REACHED =
       inCoordination("maintenance", "achievement");
+
+  @ArchTest
+  static final ArchRule WORTH_DECIDES_NOTHING =
+      inCoordination(
+          "worth", "contention", "allocation", "achievement", "maintenance", "scripts", "story");
+
+  @ArchTest
+  static final ArchRule GOALS_DO_NOT_KNOW_THAT_THEY_ARE_PARTS_OF_SCRIPTS =
+      inCoordination("achievement", "scripts");
+
+  @ArchTest
+  static final ArchRule SCRIPTS_DO_NOT_KNOW_HOW_GOALS_ARE_HELD =
+      inCoordination("scripts", "maintenance", "allocation");
 
   @ArchTest
   static final ArchRule THE_COMMAND_LINE_IS_KNOWN_TO_NOBODY =

@@ -53,7 +53,10 @@ function worthText(goal) {
 }
 
 function worthInWords(goal) {
-  if (!goal.worth || isOver(goal)) {
+  if (isOver(goal)) {
+    return "is over, and stands before nobody";
+  }
+  if (!goal.worth) {
     return `counts as ${UNWEIGHED}, as nobody says what it is worth`;
   }
   const { chance, benefit, cost, utility } = goal.worth;
