@@ -20,6 +20,9 @@ import org.maestro.sim.scene.SceneLoader;
  *     to be asked for each
  */
 public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robotsState) {
+  /** To a room. */
+  public static final int LAMPS = 3;
+
   private static final int ROOMS_PER_ROW = 5;
   private static final double SIDE_METRES = 3;
 
@@ -52,6 +55,13 @@ public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robots
 
   public String thing(int room, int number) {
     return "Thing" + room + "x" + number;
+  }
+
+  /**
+   * @param number from 0 to 2
+   */
+  public String lamp(int room, int number) {
+    return "lamp-%d-%d".formatted(room, number);
   }
 
   public Home home() {
@@ -112,7 +122,7 @@ public record LargeHome(int rooms, int robots, int thingsPerRoom, boolean robots
             home:lux-%1$d a :LightSensor ; maestro:order %8$d ; maestro:pose "%3$.1f %4$.1f 0" .
             """,
             room, outline, x + 0.1, y + 0.1, order, x + 1.5, y + 1.5, order + 1));
-    for (int lamp = 0; lamp < 3; lamp++) {
+    for (int lamp = 0; lamp < LAMPS; lamp++) {
       text.append(
           format(
               """

@@ -20,6 +20,7 @@ import org.maestro.bench.ChaosBench;
 import org.maestro.bench.CoordinationBench;
 import org.maestro.bench.LargeHome;
 import org.maestro.bench.RunningBench;
+import org.maestro.bench.ScriptsBench;
 import org.maestro.bench.SimulationBench;
 import org.maestro.bench.SoakBench;
 import org.maestro.bench.bus.BusBench;
@@ -45,7 +46,7 @@ import picocli.CommandLine.Spec;
     name = "bench",
     description =
         "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, losses, "
-            + "openings, planner, running, sim or soak.")
+            + "openings, planner, running, scripts, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int MANY = 1_000;
@@ -227,6 +228,7 @@ final class BenchCommand implements Callable<Integer> {
                         : wanted.devices(),
                     progress)
                 .run());
+    benches.put("scripts", (wanted, progress) -> new ScriptsBench(1_000, 100, progress).run());
     benches.put("sim", (wanted, progress) -> simulation(progress));
     benches.put("soak", (wanted, progress) -> soak(wanted.goals(), progress));
     return Collections.unmodifiableMap(benches);

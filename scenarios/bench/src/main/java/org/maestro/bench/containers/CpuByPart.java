@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Predicate;
+import org.maestro.bench.ProcessorTime;
 
 /**
  * The processor time that each part of a platform's process takes, by the names of its threads.
@@ -58,14 +59,7 @@ final class CpuByPart {
             });
       }
     }
-    return new CpuByPart(processSeconds(), seconds);
-  }
-
-  private static double processSeconds() {
-    return ManagementFactory.getOperatingSystemMXBean()
-            instanceof com.sun.management.OperatingSystemMXBean system
-        ? system.getProcessCpuTime() / NANOS
-        : Double.NaN;
+    return new CpuByPart(ProcessorTime.seconds(), seconds);
   }
 
   /** Seconds of processor time since then, by part; the rest is the last. */
