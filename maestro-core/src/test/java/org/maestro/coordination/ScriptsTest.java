@@ -51,6 +51,22 @@ class ScriptsTest {
             Optional.empty()));
   }
 
+  private void script(
+      String name, String parameters, String body, String benefit, Optional<Duration> allowed) {
+    script(name, parameters, body);
+    Script plain = scripts.get(name);
+    scripts.put(
+        name,
+        new Script(
+            name,
+            name,
+            plain.parameters(),
+            plain.body(),
+            Optional.of(SlParser.expression(benefit)),
+            Optional.empty(),
+            allowed));
+  }
+
   private NarrowHouse house() {
     house =
         new NarrowHouse(home.withScripts(scripts), 1).with("rose", "zone-a").with("Cup", "zone-b");
@@ -284,6 +300,77 @@ class ScriptsTest {
         .hasMessageContaining("zone-a is no Item of this home");
     assertThatThrownBy(() -> house.wish("(fetch Kup)"))
         .hasMessageContaining("Kup is no Item of this home");
+    assertThatThrownBy(() -> house.wish("(fetsch Cup)"))
+        .hasMessage(
+            "The goal names neither a predicate nor a script by fetsch;"
+                + " write (fetch ?item - Item), if that is meant.");
+    assertThatThrownBy(() -> house.wish("(polka Cup)"))
+        .hasMessage(
+            "The goal names neither a predicate nor a script by polka;"
+                + " there are the scripts fetch, and ./maestro words lists the predicates.");
+  }
+
+  /**
+   * Patrolling is worth 47.5 at any time; fetching, 15 to 20 at first, and ten times as much at the
+   * end of its ten minutes.
+   */
+  @Test
+  void ofTwoScriptsOnOneMotorTheHigherOneGoesFirstAndTheRankingFlipsAsTimePasses() {
+    script(
+        "patrol",
+        "",
+        "(while (in Mug zone-c) (try (seq (do move rose :to zone-b) (do move rose :to zone-a))"
+            + " (recover \"cannot move\" (achieve (in rose zone-a)))))",
+        "60",
+        Optional.empty());
+    script(
+        "fetch",
+        "?item - Item",
+        "(achieve (in ?item zone-c))",
+        "40",
+        Optional.of(Duration.ofMinutes(10)));
+    house().with("Mug", "zone-c");
+    String patrol = house.wish("(patrol)");
+    house.clock.run(Duration.ofSeconds(5));
+    String fetch = house.wish("(fetch Cup)");
+    house.clock.run(Duration.ofSeconds(80));
+
+    assertThat(house.calls).as(house.told()).hasSizeGreaterThan(8).containsOnly("move rose");
+    assertThat(house.told())
+        .containsPattern(fetch + " WAIT \\[1] Stands back: " + patrol + "\\.1\\.\\S+ goes first");
+
+    house.clock.runUntil(() -> house.outcomes.containsKey(fetch), Duration.ofMinutes(10));
+
+    assertThat(house.outcomes.get(fetch).reached()).as(house.told()).isTrue();
+    // 20·g is more than 47.5 from 92 s on, and 15·g five percent more from 156 s on.
+    assertThat(house.outcomes.get(fetch).duration())
+        .isBetween(Duration.ofSeconds(92), Duration.ofSeconds(200));
+    assertThat(house.told())
+        .containsPattern(patrol + " WAIT \\[\\S+] (Stands back: |Waits: .* by )" + fetch);
+    int before = house.calls.size();
+    house.clock.run(Duration.ofSeconds(30));
+
+    assertThat(house.state(patrol)).as(house.told()).isEqualTo(GoalState.RUNNING);
+    assertThat(house.calls).as("it goes on afterwards").hasSizeGreaterThan(before + 2);
+    assertThat(house.accidents).isEmpty();
+  }
+
+  /** What a call leaves open is chosen when it has its turn. */
+  @Test
+  void aCallThatHasWaitedIsChosenAnewWhereThingsHaveChanged() {
+    script("comeBack", "", "(do move rose :to zone-b)");
+    house();
+    house.wish("(in rose zone-c)");
+    house.clock.run(Duration.ofSeconds(1));
+    String back = house.wish("(comeBack)");
+    assertThat(house.run(2, Duration.ofMinutes(5))).as(house.told()).isTrue();
+
+    assertThat(house.outcomes.get(back).reached()).as(house.told()).isTrue();
+    assertThat(house.place).containsEntry("rose", "zone-b");
+    assertThat(house.calls).containsExactly("move rose", "move rose", "move rose");
+    assertThat(house.told())
+        .contains(back + " REPLAN [1] Plan again, because things have changed while it waited.");
+    assertThat(house.accidents).isEmpty();
   }
 
   /** What its script is worth is what a goal counts that asks for it. */

@@ -82,7 +82,7 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
               "%s is needed and not there (%s)."
                   .formatted(member, parts.roster().absence(member))));
     } else {
-      life.become(GoalPhase.PLANNING, "");
+      life.become(life.plans() == 0 ? GoalPhase.PLANNING : GoalPhase.REPLANNING, "");
       parts
           .ports()
           .contractNet()
@@ -215,7 +215,7 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
 
   @Override
   public boolean isPlanning() {
-    return false;
+    return life.phase().isPlanning();
   }
 
   @Override
@@ -246,11 +246,21 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
   /** Nothing is to be so afterwards: it is over when the call is. */
   @Override
   public void settle(Map<String, Term> binding) {
+    Snapshot now = parts.ports().knowledge().snapshot();
     if (reports.last().isPresent()) {
       reported();
-    } else {
+    } else if (parts.plan().remaining().stream()
+        .allMatch(step -> StepOfCall.isPossible(step, now))) {
       following.advance();
+    } else {
+      chooseAgain();
     }
+  }
+
+  /** What was left open may have to stand for something else now. */
+  private void chooseAgain() {
+    parts.story().planning(life.plans() + 1, Optional.of("things have changed while it waited"));
+    start();
   }
 
   @Override

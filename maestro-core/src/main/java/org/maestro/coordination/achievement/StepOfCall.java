@@ -68,6 +68,13 @@ record StepOfCall(Optional<Step> step, String problem) {
                                 new Substitution(given).apply(feature.precondition())))));
   }
 
+  /** Whether it is known that the member may do it as things are. */
+  static boolean isPossible(Step step, Facts facts) {
+    Map<String, Term> values = new TreeMap<>(step.bindings());
+    values.put(Self.NAME, new Term.Name(step.member()));
+    return new Evaluation(facts).truth(step.feature().precondition(), values) == Truth.TRUE;
+  }
+
   /** The feature that is meant; empty where the member does not offer it. */
   static Optional<FeatureType> feature(FeatureCall call, Home home) {
     return Optional.ofNullable(home.devices().get(call.member())).map(Device::features).stream()

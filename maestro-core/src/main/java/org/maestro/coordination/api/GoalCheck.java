@@ -7,6 +7,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.Script;
 import org.maestro.ontology.home.StatementCheck;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -41,6 +42,11 @@ public final class GoalCheck {
     if (script.isPresent()) {
       check(script.get(), ((Formula.Atom) request.goal()).arguments());
     } else {
+      unknownName(request.goal())
+          .ifPresent(
+              sentence -> {
+                throw new InvalidGoalException(sentence);
+              });
       check(request.goal());
     }
     request.stakes().map(Stakes::benefit).ifPresent(this::checkBenefit);
@@ -50,6 +56,27 @@ public final class GoalCheck {
     return goal instanceof Formula.Atom atom
         ? Optional.ofNullable(home.scripts().get(atom.predicate()))
         : Optional.empty();
+  }
+
+  /** Who writes a goal of one name may mean a script, where there are any. */
+  private Optional<String> unknownName(Formula goal) {
+    if (!(goal instanceof Formula.Atom atom)
+        || home.scripts().isEmpty()
+        || home.vocabulary().classes().containsKey(atom.predicate())
+        || Nearest.to(atom.predicate(), home.vocabulary().predicates().keySet()).isPresent()) {
+      return Optional.empty();
+    }
+    String cure =
+        Nearest.to(atom.predicate(), home.scripts().keySet())
+            .flatMap(name -> Optional.ofNullable(home.scripts().get(name)))
+            .map(meant -> "write %s, if that is meant".formatted(meant.form()))
+            .orElseGet(
+                () ->
+                    "there are the scripts %s, and ./maestro words lists the predicates"
+                        .formatted(String.join(", ", home.scripts().keySet())));
+    return Optional.of(
+        "The goal names neither a predicate nor a script by %s; %s."
+            .formatted(atom.predicate(), cure));
   }
 
   private void check(Script script, List<Term> arguments) {

@@ -158,9 +158,15 @@ public sealed interface JournalEntry {
    * @param over it is done with
    * @param value what a variable stands for, which way is taken, or what the part gives
    * @param problem why it failed; empty when it did not
+   * @param until of a wait for some time: when that is over
    */
   record Noted(
-      String goalId, String path, boolean over, Optional<Term> value, Optional<String> problem)
+      String goalId,
+      String path,
+      boolean over,
+      Optional<Term> value,
+      Optional<String> problem,
+      Optional<Duration> until)
       implements OfGoal {}
 
   /** A goal has come to its end. */

@@ -179,18 +179,23 @@ final class Course {
     return Optional.ofNullable(ports.knowledge().home().scripts().get(name));
   }
 
-  private Evaluation now() {
+  /** On the clock. */
+  Duration now() {
+    return ports.clock().now();
+  }
+
+  private Evaluation known() {
     return new Evaluation(ports.knowledge().snapshot());
   }
 
   boolean isKnown(Formula condition, Scope scope) {
     readers.forEach(reader -> reader.addRead(scope.apply(condition)));
-    return now().truth(condition, scope.values()) == Truth.TRUE;
+    return known().truth(condition, scope.values()) == Truth.TRUE;
   }
 
   OptionalDouble number(Expression expression, Scope scope) {
     readers.forEach(reader -> reader.add(scope.apply(expression)));
-    return now().number(expression, scope.values());
+    return known().number(expression, scope.values());
   }
 
   /** Those of which the condition is known to hold, in the order of the home. */
@@ -248,7 +253,7 @@ final class Course {
 
   /** Makes facts known, as the script says. */
   void state(Effect effect, String path) {
-    List<String> facts = now().changes(effect, Map.of()).stream().map(Course::fact).toList();
+    List<String> facts = known().changes(effect, Map.of()).stream().map(Course::fact).toList();
     ports.knowledge().state(new Source(Source.Kind.STATED, notes.partId(path)), facts);
     told.states(path, String.join(", ", facts));
   }

@@ -1,5 +1,6 @@
 package org.maestro.coordination.scripts;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -78,6 +79,11 @@ final class Notes {
         .flatMap(JournalEntry.Noted::value);
   }
 
+  /** When a wait that was begun is over, on the clock. */
+  Optional<Duration> until(String path) {
+    return Optional.ofNullable(notes.get(path)).flatMap(JournalEntry.Noted::until);
+  }
+
   /** Whether anything has become of the part or below it. */
   boolean isBegun(String path) {
     String below = path + ".";
@@ -91,11 +97,21 @@ final class Notes {
   }
 
   void over(String path, Result result) {
-    write(new JournalEntry.Noted(goalId, path, true, result.given(), result.problem()));
+    write(
+        new JournalEntry.Noted(
+            goalId, path, true, result.given(), result.problem(), Optional.empty()));
   }
 
   void value(String path, Term value) {
-    write(new JournalEntry.Noted(goalId, path, false, Optional.of(value), Optional.empty()));
+    write(
+        new JournalEntry.Noted(
+            goalId, path, false, Optional.of(value), Optional.empty(), Optional.empty()));
+  }
+
+  void until(String path, Duration end) {
+    write(
+        new JournalEntry.Noted(
+            goalId, path, false, Optional.empty(), Optional.empty(), Optional.of(end)));
   }
 
   private void write(JournalEntry.Noted note) {

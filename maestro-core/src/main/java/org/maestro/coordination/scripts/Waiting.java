@@ -44,8 +44,19 @@ final class Waiting extends Part {
       finish(new Result.Failed("How long is to be waited is not known."));
     } else {
       Duration time = Duration.ofMillis(Math.round(seconds.getAsDouble() * 1000));
-      ends = Optional.of(course.after(time, this::over));
+      ends = Optional.of(course.after(left(time), this::over));
     }
+  }
+
+  /** Less than all of it where it was begun before a restart. */
+  private Duration left(Duration time) {
+    Optional<Duration> before = course.notes().until(path);
+    if (before.isEmpty()) {
+      course.notes().until(path, course.now().plus(time));
+      return time;
+    }
+    Duration left = before.get().minus(course.now());
+    return left.compareTo(time) < 0 ? left : time;
   }
 
   private void over() {

@@ -64,6 +64,7 @@ final class MemoryCodec {
       line.put("over", noted.over());
       noted.value().ifPresent(value -> line.put("value", SlPrinter.print(value)));
       noted.problem().ifPresent(problem -> line.put("problem", problem));
+      noted.until().ifPresent(until -> line.put("until_s", JournalCodec.seconds(until)));
     } else if (entry instanceof JournalEntry.AttemptOver over) {
       JournalCodec.event(line, "attempt-over", over.goalId());
     } else if (entry instanceof JournalEntry.Asked asked) {
@@ -96,7 +97,10 @@ final class MemoryCodec {
               line.path("path").asText(),
               line.path("over").asBoolean(),
               Optional.ofNullable(line.path("value").textValue()).map(SlParser::term),
-              Optional.ofNullable(line.path("problem").textValue()));
+              Optional.ofNullable(line.path("problem").textValue()),
+              line.has("until_s")
+                  ? Optional.of(JournalCodec.time(line, "until_s", from, to))
+                  : Optional.empty());
       case "looked-in-vain" ->
           new JournalEntry.LookedInVain(
               goal,

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.vocabulary.NameCheck;
 import org.maestro.sl.Body;
+import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -67,6 +68,10 @@ final class BodyCheck {
       names.check(pause.seconds());
     } else if (body instanceof Body.Assert stated) {
       names.check(stated.effect());
+      if (isSensing(stated.effect())) {
+        problems.accept(
+            "asserts what is to be sensed", "assert a fact, or have a device look with do");
+      }
     } else if (body instanceof Body.Return back) {
       names.check(back.value());
     } else if (body instanceof Body.Run run) {
@@ -76,6 +81,18 @@ final class BodyCheck {
       call.parameters().values().forEach(names::check);
       calls.check(call, variables);
     }
+  }
+
+  /** A script senses nothing by itself. */
+  private static boolean isSensing(Effect effect) {
+    if (effect instanceof Effect.All all) {
+      return all.effects().stream().anyMatch(BodyCheck::isSensing);
+    } else if (effect instanceof Effect.When when) {
+      return isSensing(when.effect());
+    } else if (effect instanceof Effect.Forall forall) {
+      return isSensing(forall.effect());
+    }
+    return effect instanceof Effect.SenseAtom || effect instanceof Effect.SenseNumber;
   }
 
   /** What is told of the names in a formula, an effect, a number or a term. */

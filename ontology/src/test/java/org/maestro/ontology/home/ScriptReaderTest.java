@@ -131,6 +131,7 @@ class ScriptReaderTest {
             + " | body uses the unknown class Lam; write Lamp, if that is meant",
         "(assert (opened door-ab)) | body uses the unknown predicate opened",
         "(assert (passable zone-a zone-b)) | body sets passable, which follows from other facts",
+        "(assert (forall (?l - Lamp) (sense (level ?l)))) | body asserts what is to be sensed",
         "(while (illuminance zone-a) (wait 1))"
             + " | body uses the number illuminance as if it were true or false",
         // variables

@@ -223,6 +223,29 @@ class CrashTest {
     }
   }
 
+  /** The time for which nobody is there counts. */
+  @Test
+  void aWaitIsOverWhenItWouldHaveBeen() throws IOException {
+    Body body = SlParser.body("(wait 300)", home.vocabulary()::isFluent);
+    Home waiting = home.withScripts(Map.of("rest", script("rest", List.of(), body)));
+    try (MortalSite site = new MortalSite(waiting, scene, directory.resolve("wait"))) {
+      site.begin(Integer.MAX_VALUE);
+      site.clock.runUntil(site::allPresent, Duration.ofMinutes(1));
+      Duration stated = site.clock.now();
+      site.submit("(rest)");
+      site.clock.run(Duration.ofSeconds(100));
+      site.die();
+      site.clock.run(Duration.ofSeconds(100));
+      site.begin(Integer.MAX_VALUE);
+      assertThat(site.allEnded()).isFalse();
+      site.clock.runUntil(site::allEnded, Duration.ofMinutes(20));
+
+      assertThat(site.clock.now().minus(stated))
+          .as(site.story.toString())
+          .isBetween(Duration.ofSeconds(299), Duration.ofSeconds(302));
+    }
+  }
+
   @Test
   void someEntriesOfAHeldGoal() throws IOException {
     int entries = entriesUntilHeld();
