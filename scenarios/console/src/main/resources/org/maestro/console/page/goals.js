@@ -28,7 +28,7 @@ function templates() {
   const filled = (entry) => `(${[entry.word, ...entry.arguments.map((one) => one.class ?? "thing")].join(" ")})`;
   const of = (kind, form) => state.words.filter((entry) => entry.kind === kind)
     .map((entry) => ({ value: form(filled(entry)), text: entry.meaning ? `${entry.word}: ${entry.meaning}` : entry.word }));
-  return [{ value: "", text: "choose …" }, ...of("predicate", (text) => text), ...of("number", (text) => `(>= ${text} 1)`)];
+  return [{ value: "", text: "template …" }, ...of("predicate", (text) => text), ...of("number", (text) => `(>= ${text} 1)`)];
 }
 
 const rounded = (number) => (number === null ? "unknown" : String(Math.round(number * 10) / 10));
