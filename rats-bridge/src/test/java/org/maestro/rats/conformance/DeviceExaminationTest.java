@@ -56,6 +56,8 @@ class DeviceExaminationTest {
   @EnumSource(
       names = {
         "NONE",
+        "IS_SLOW_ONCE",
+        "TELLS_ITS_STATE_LATE",
         "TELLS_NO_STATE",
         "BELIEVES_ANY_SENDER",
         "DOES_TWICE",

@@ -5,6 +5,8 @@ import java.util.List;
 /** What may be wrong with a device, and the rules that it breaks by that. */
 enum Flaw {
   NONE(),
+  IS_SLOW_ONCE(),
+  TELLS_ITS_STATE_LATE(),
   ANSWERS_ON_THE_BARE_TOPIC(),
   TELLS_NO_STATE(DeviceRule.TOPICS),
   RETAINS_NOTHING(DeviceRule.TOPICS),

@@ -15,6 +15,7 @@ import java.util.function.BiConsumer;
 /** What a flawed device does when it is called. One thread. */
 final class FlawedCalls {
   private static final int RING_MILLIS = 300;
+  private static final int LATE_MILLIS = 1_500;
   private static final int FEW = 20;
   private static final long AN_HOUR_MILLIS = 3_600_000;
 
@@ -28,6 +29,7 @@ final class FlawedCalls {
   private final Map<String, Long> latest = new LinkedHashMap<>();
   private final Deque<JsonNode> underWay = new ArrayDeque<>();
   private final List<Map<String, String>> recent = new ArrayList<>();
+  private int begun;
   private int rung;
 
   /** What a result says beside whose it is. */
@@ -109,7 +111,9 @@ final class FlawedCalls {
     if (flaw == Flaw.COUNTS_NO_TIME_IN_ITS_QUEUE) {
       endInTime(call);
     }
-    thread.schedule(() -> rings(call), RING_MILLIS, TimeUnit.MILLISECONDS);
+    begun++;
+    boolean isSlow = flaw == Flaw.IS_SLOW_ONCE && begun == 2;
+    thread.schedule(() -> rings(call), isSlow ? LATE_MILLIS : RING_MILLIS, TimeUnit.MILLISECONDS);
   }
 
   private void endInTime(JsonNode call) {
@@ -138,7 +142,11 @@ final class FlawedCalls {
     recent.add(
         flaw == Flaw.NAMES_THE_LATEST_FIRST ? 0 : recent.size(),
         Map.of("id", call.path("id").asText(), "outcome", answer.outcome()));
-    tellState.run();
+    if (flaw == Flaw.TELLS_ITS_STATE_LATE) {
+      thread.schedule(tellState, LATE_MILLIS, TimeUnit.MILLISECONDS);
+    } else {
+      tellState.run();
+    }
     remember(call, answer);
     send.accept(call, answer);
     if (wasRunning && !underWay.isEmpty()) {

@@ -88,7 +88,9 @@ class DeviceTestCommandTest {
   private static String said(String... arguments) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
-    assertThat(Maestro.commandLine(new PrintStream(out), nowhere).execute(arguments)).isZero();
-    return out.toString(StandardCharsets.UTF_8);
+    int exitCode = Maestro.commandLine(new PrintStream(out), nowhere).execute(arguments);
+    String said = out.toString(StandardCharsets.UTF_8);
+    assertThat(exitCode).as(said).isZero();
+    return said;
   }
 }
