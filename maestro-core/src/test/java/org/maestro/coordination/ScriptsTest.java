@@ -40,15 +40,7 @@ class ScriptsTest {
             ? List.of()
             : List.of(parameters.split(", ")).stream().map(SlParser::variable).toList();
     scripts.put(
-        name,
-        new Script(
-            name,
-            name,
-            variables,
-            SlParser.body(body, home.vocabulary()::isFluent),
-            Optional.empty(),
-            Optional.empty(),
-            Optional.empty()));
+        name, new Script(name, variables, SlParser.body(body, home.vocabulary()::isFluent)));
   }
 
   private void script(

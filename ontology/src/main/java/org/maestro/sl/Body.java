@@ -102,6 +102,18 @@ public sealed interface Body {
     }
   }
 
+  /**
+   * A component of a member is nobody else's while the parts are done, but for who goes first, at a
+   * safe point.
+   *
+   * @param parts none only in the step of a {@code while}: for as long as its condition holds
+   */
+  record Hold(Term member, String component, List<Body> parts) implements Body {
+    public Hold {
+      parts = List.copyOf(parts);
+    }
+  }
+
   /** Another script, with these for its parameters. */
   record Run(String script, List<Term> arguments) implements Body, Body.Source {
     public Run {

@@ -40,6 +40,11 @@ final class BodyPrinter {
       new TreeMap<>(call.parameters())
           .forEach((name, term) -> parts.add(":" + name + " " + SlPrinter.print(term)));
       return group("do", parts);
+    } else if (body instanceof Body.Hold hold) {
+      List<String> parts =
+          parts(SlPrinter.print(hold.member()), SlPrinter.print(new Term.Text(hold.component())));
+      parts.addAll(printed(hold.parts()));
+      return group("hold", parts);
     } else if (body instanceof Body.Run run) {
       return print((Body.Source) run);
     }

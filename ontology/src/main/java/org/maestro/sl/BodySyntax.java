@@ -16,6 +16,9 @@ final class BodySyntax {
       "what the variable stands for: (value (charge rose)), (one (?x - Thing) (in ?x zone-a)) or"
           + " (run script ...)";
 
+  private static final String A_HOLD =
+      "a member, its component in quotes, and steps, such as (hold rose \"base\" (wait 30))";
+
   private final FormulaSyntax formulas;
   private final EffectSyntax effects;
 
@@ -56,6 +59,10 @@ final class BodySyntax {
         yield new Body.Achieve(formulas.formula(rest.get(0)));
       }
       case "do" -> call(group, rest);
+      case "hold" -> {
+        expect(group, 3, Integer.MAX_VALUE, A_HOLD);
+        yield hold(rest);
+      }
       case "run" -> run(group, rest);
       case "assert" -> {
         group.expectOperands(1, "an effect");
@@ -96,7 +103,16 @@ final class BodySyntax {
       }
       most = OptionalInt.of(count(rest.get(3)));
     }
-    return new Body.While(formulas.formula(rest.get(0)), body(rest.get(1)), most);
+    return new Body.While(formulas.formula(rest.get(0)), round(rest.get(1)), most);
+  }
+
+  /** Only as long as a condition holds something may be held for its own sake. */
+  private Body round(Node node) {
+    return node instanceof Node.Group group
+            && group.head().equals("hold")
+            && group.rest().size() == 2
+        ? hold(group.rest())
+        : body(node);
   }
 
   private static int count(Node node) {
@@ -152,6 +168,13 @@ final class BodySyntax {
       }
     }
     return new Body.Do(feature, ExpressionSyntax.term(rest.get(1)), parameters);
+  }
+
+  private Body hold(List<Node> rest) {
+    return new Body.Hold(
+        ExpressionSyntax.term(rest.get(0)),
+        text(rest.get(1)),
+        rest.subList(2, rest.size()).stream().map(this::body).toList());
   }
 
   private static Body.Run run(Node.Group group, List<Node> rest) {

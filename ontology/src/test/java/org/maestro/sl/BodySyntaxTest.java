@@ -39,6 +39,12 @@ class BodySyntaxTest {
             "(while (dark zone-a) (run light zone-a) :most 3)",
             new Body.While(DARK, RUN, OptionalInt.of(3))),
         Arguments.of(
+            "(while (dark zone-a) (hold zone-a \"base\"))",
+            new Body.While(DARK, new Body.Hold(ZONE, "base", List.of()), OptionalInt.empty())),
+        Arguments.of(
+            "(hold zone-a \"base\" (run light zone-a) (fail \"no\"))",
+            new Body.Hold(ZONE, "base", List.of(RUN, FAIL))),
+        Arguments.of(
             "(foreach (?l - Lamp) (dark zone-a) (run light zone-a))",
             new Body.ForEach(LAMP, DARK, RUN)),
         Arguments.of(

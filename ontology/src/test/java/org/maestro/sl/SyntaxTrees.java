@@ -160,6 +160,15 @@ final class SyntaxTrees {
                         condition, body, most.map(OptionalInt::of).orElseGet(OptionalInt::empty))),
         Combinators.combine(variable(), formulas(), inner).as(Body.ForEach::new),
         Combinators.combine(names(), sources(), parts).as(Body.Let::new),
+        Combinators.combine(terms(), Arbitraries.strings().ofMaxLength(8), parts)
+            .as(Body.Hold::new),
+        Combinators.combine(formulas(), terms(), Arbitraries.strings().ofMaxLength(8))
+            .as(
+                (condition, member, component) ->
+                    new Body.While(
+                        condition,
+                        new Body.Hold(member, component, List.of()),
+                        OptionalInt.empty())),
         Combinators.combine(inner, recoveries.list().ofMaxSize(2), inner.optional())
             .as(Body.Try::new)
             .filter(attempt -> !attempt.recoveries().isEmpty() || attempt.last().isPresent()));

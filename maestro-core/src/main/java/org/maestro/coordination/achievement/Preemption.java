@@ -2,19 +2,18 @@ package org.maestro.coordination.achievement;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.contention.ResourceClaims;
+import org.maestro.coordination.contention.StandingBack;
 import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
@@ -33,8 +32,7 @@ final class Preemption {
   private final ActiveGoals activeGoals;
   private final ResourceClaims resourceClaims;
   private final StepsUnderway underway;
-  private Optional<String> after = Optional.empty();
-  private Optional<String> yieldedTo = Optional.empty();
+  private final StandingBack standingBack;
   private Optional<String> asked = Optional.empty();
   private Set<Resource> told = Set.of();
 
@@ -47,6 +45,7 @@ final class Preemption {
     this.life = life;
     this.story = story;
     this.activeGoals = activeGoals;
+    this.standingBack = new StandingBack(life.id(), activeGoals);
     this.resourceClaims = resourceClaims;
     this.underway = underway;
   }
@@ -57,19 +56,12 @@ final class Preemption {
 
   /** Whether it has stepped back for one that is not over yet, or has not got its way yet. */
   boolean isAfterAnother() {
-    after = after.filter(other -> activeGoals.goesOnBefore(other, id()));
-    yieldedTo =
-        yieldedTo.filter(
-            other ->
-                activeGoals.goesOnBefore(other, id())
-                    && !activeGoals.leases().waitsOf(other).isEmpty());
-    return after.isPresent() || yieldedTo.isPresent();
+    return standingBack.isSo();
   }
 
   /** Another plan is made, which may wait for something else. */
   void forget() {
-    after = Optional.empty();
-    yieldedTo = Optional.empty();
+    standingBack.forget();
     activeGoals.leases().stopWaiting(id());
   }
 
@@ -82,8 +74,8 @@ final class Preemption {
     if (underway.isEmpty()) {
       resourceClaims.letGo();
     }
-    askForWay(obstacles);
-    breakCircle();
+    activeGoals.askForWay(id(), obstacles);
+    activeGoals.breakCircle(id());
   }
 
   /** It has all components, and a step waits for a thing in use, or a fact that another needs. */
@@ -95,7 +87,7 @@ final class Preemption {
     if (underway.isEmpty() && obstacles.stream().anyMatch(Preemption::mayTakeLong)) {
       resourceClaims.letGo();
     }
-    breakCircle();
+    activeGoals.breakCircle(id());
   }
 
   /** A door is free as soon as a step ends; what others count on, they may need for long. */
@@ -137,15 +129,6 @@ final class Preemption {
     life.become(confirming ? GoalPhase.LOOKING : GoalPhase.RUNNING, "");
   }
 
-  private void askForWay(List<WaitsFor> obstacles) {
-    for (WaitsFor obstacle : obstacles) {
-      GoalPriority others = activeGoals.leases().standingWithout(obstacle.holder(), id());
-      if (activeGoals.leases().standing(id()).outranks(others)) {
-        activeGoals.find(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(id()));
-      }
-    }
-  }
-
   void giveWay(String to) {
     asked = Optional.of(to);
     activeGoals.run(() -> activeGoals.find(id()).ifPresent(ActiveGoal::advance));
@@ -167,7 +150,7 @@ final class Preemption {
       return false;
     }
     asked = Optional.empty();
-    yieldedTo = to;
+    standingBack.untilWayOf(to.get());
     List<WaitsFor> edges = new ArrayList<>();
     contested.forEach(edge -> edges.add(new WaitsFor(id(), edge.resource(), to.get())));
     edges.add(new WaitsFor(id(), Resource.endOf(to.get()), to.get()));
@@ -194,27 +177,12 @@ final class Preemption {
 
   /** Until the other is over. */
   void standBackFor(String other) {
-    after = Optional.of(other);
+    standingBack.untilEndOf(other);
     suspend(
         Set.of(),
         List.of(new WaitsFor(id(), Resource.endOf(other), other)),
         other + " goes first" + activeGoals.whyFirst(other, id()));
     resourceClaims.letGo();
-  }
-
-  /** Steps under way may still end a circle; then it is looked at again. */
-  private void breakCircle() {
-    List<ActiveGoal> circle =
-        activeGoals.leases().circle(id()).stream()
-            .flatMap(goal -> activeGoals.find(goal).stream())
-            .toList();
-    if (circle.isEmpty() || circle.stream().anyMatch(goal -> !goal.underway().isEmpty())) {
-      return;
-    }
-    Comparator<ActiveGoal> order =
-        Comparator.comparing(goal -> activeGoals.leases().ownStanding(goal.id()));
-    String first = circle.stream().min(order).orElseThrow().id();
-    circle.stream().max(order).orElseThrow().stepBackFor(first);
   }
 
   void stepBackFor(String other) {

@@ -30,6 +30,13 @@ public final class GoalId {
     return !whole(goalId).equals(goalId);
   }
 
+  /** Whether one is pursued for a step of the other, or for a step within that. */
+  public static boolean isWithin(String part, String other) {
+    return part.length() > other.length()
+        && part.charAt(other.length()) == '.'
+        && part.startsWith(other);
+  }
+
   public static String of(String prefix, int number) {
     return prefix + number;
   }

@@ -2,6 +2,7 @@ package org.maestro.coordination.contention;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -164,6 +165,28 @@ public final class ActiveGoals {
         leases.standing(goal).outranks(leases.standing(holder.id()))
             && !holder.isTied(obstacle.resource().owner());
     return givesWay ? holder.secondsOfRunningSteps() : holder.remainingSeconds();
+  }
+
+  /** Who has what the goal waits for, and does not go first, is to give way. */
+  public void askForWay(String goal, List<WaitsFor> obstacles) {
+    for (WaitsFor obstacle : obstacles) {
+      GoalPriority others = leases.standingWithout(obstacle.holder(), goal);
+      if (leases.standing(goal).outranks(others)) {
+        find(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(goal));
+      }
+    }
+  }
+
+  /** Steps under way may still end a circle; then it is looked at again. */
+  public void breakCircle(String goal) {
+    List<ActiveGoal> circle =
+        leases.circle(goal).stream().flatMap(one -> find(one).stream()).toList();
+    if (circle.isEmpty() || circle.stream().anyMatch(one -> !one.underway().isEmpty())) {
+      return;
+    }
+    Comparator<ActiveGoal> order = Comparator.comparing(one -> leases.ownStanding(one.id()));
+    String first = circle.stream().min(order).orElseThrow().id();
+    circle.stream().max(order).orElseThrow().stepBackFor(first);
   }
 
   /** Does the work, and then all that it makes possible. */

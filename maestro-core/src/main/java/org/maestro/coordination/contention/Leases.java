@@ -16,6 +16,8 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
@@ -24,11 +26,13 @@ import org.maestro.coordination.api.WaitsFor;
  * The mutual exclusion of goals and of steps: who has what, and who waits for what. A goal keeps
  * components of members over many steps, and gets all that it asks for at once or nothing, so that
  * goals that have nothing yet never wait for each other in a circle. A step has what it uses, and
- * the individuals it claims, while it runs.
+ * the individuals it claims, while it runs. What is held for steps of a script, these steps may
+ * keep and use, each for itself, and nobody else.
  */
 public final class Leases {
   private final Map<String, GoalPriority> standings = new LinkedHashMap<>();
   private final Map<Resource, String> keepers = new TreeMap<>();
+  private final Map<Resource, String> holders = new TreeMap<>();
   private final Map<Resource, Run> runs = new TreeMap<>();
   private final Map<String, Wait> waits = new LinkedHashMap<>();
   private final Consumer<String> wake;
@@ -60,6 +64,7 @@ public final class Leases {
   void leave(String goal) {
     stopWaiting(goal);
     letGo(goal, kept(goal));
+    release(goal);
     standings.remove(goal);
     moved(goal);
   }
@@ -73,7 +78,7 @@ public final class Leases {
   }
 
   /** What keeps the goal from having all these; empty when it may keep them. */
-  List<WaitsFor> obstaclesToKeep(String goal, Set<Resource> wanted) {
+  public List<WaitsFor> obstaclesToKeep(String goal, Set<Resource> wanted) {
     Set<Resource> mine = kept(goal);
     List<WaitsFor> obstacles = new ArrayList<>();
     for (Resource resource : new TreeSet<>(wanted)) {
@@ -89,7 +94,15 @@ public final class Leases {
   private Optional<String> holder(String goal, Resource resource) {
     return Optional.ofNullable(keepers.get(resource))
         .or(() -> Optional.ofNullable(runs.get(resource)).map(Run::goal))
-        .filter(holder -> !holder.equals(goal));
+        .filter(holder -> !isOne(holder, goal))
+        .or(
+            () ->
+                Optional.ofNullable(holders.get(resource)).filter(holder -> !isOne(holder, goal)));
+  }
+
+  /** Whether both are the same, or one is pursued for a step of the other. */
+  private static boolean isOne(String goal, String other) {
+    return goal.equals(other) || GoalId.isWithin(goal, other) || GoalId.isWithin(other, goal);
   }
 
   /** Nobody is overtaken by one who comes later and has nothing yet. */
@@ -101,6 +114,37 @@ public final class Leases {
   /** To be called only when nothing stands in the way. */
   void keep(String goal, Set<Resource> wanted) {
     wanted.forEach(resource -> keepers.put(resource, goal));
+  }
+
+  /**
+   * The same for steps of a script that are goals within this one: what they let go stays held. To
+   * be called only when nothing stands in the way.
+   */
+  public void hold(String goal, Set<Resource> wanted) {
+    wanted.forEach(resource -> holders.putIfAbsent(resource, goal));
+    kept(goal).forEach(resource -> keepers.remove(resource, goal));
+  }
+
+  /** What is held for the goal's steps is so no more; what one of them keeps it keeps. */
+  public void release(String goal) {
+    Set<Resource> free =
+        holders.entrySet().stream()
+            .filter(e -> e.getValue().equals(goal))
+            .map(Map.Entry::getKey)
+            .collect(Collectors.toSet());
+    holders.keySet().removeAll(free);
+    wakeFor(free);
+  }
+
+  /** Whether a step within the goal keeps or uses one of them now. */
+  public boolean isUsedWithin(String goal, Set<Resource> resources) {
+    return resources.stream()
+        .flatMap(
+            resource ->
+                Stream.concat(
+                    Stream.ofNullable(keepers.get(resource)),
+                    Stream.ofNullable(runs.get(resource)).map(Run::goal)))
+        .anyMatch(user -> GoalId.isWithin(user, goal));
   }
 
   void letGo(String goal, Collection<Resource> resources) {
@@ -219,7 +263,7 @@ public final class Leases {
   List<String> before(String goal, Resource resource) {
     GoalPriority mine = standing(goal);
     return waits.entrySet().stream()
-        .filter(e -> !e.getKey().equals(goal) && e.getValue().wanted().contains(resource))
+        .filter(e -> !isOne(e.getKey(), goal) && e.getValue().wanted().contains(resource))
         .map(Map.Entry::getKey)
         .filter(other -> standingWithout(other, goal).compareTo(mine) < 0)
         .toList();
@@ -228,6 +272,7 @@ public final class Leases {
   /** Components that the goal could not have now. */
   Set<Resource> takenFrom(String goal) {
     Set<Resource> taken = new TreeSet<>(keepers.keySet());
+    taken.addAll(holders.keySet());
     taken.addAll(runs.keySet());
     waits.values().forEach(wait -> taken.addAll(wait.wanted()));
     taken.removeIf(
@@ -237,7 +282,10 @@ public final class Leases {
     return taken;
   }
 
-  /** The goals that wait for each other in a circle with this one, itself first; or none. */
+  /**
+   * The goals that wait for each other in a circle with this one, itself first; or none. Where it
+   * is a step for which something is held, the goal that holds it stands in its place, last.
+   */
   public List<String> circle(String goal) {
     Deque<String> path = new ArrayDeque<>();
     return leads(goal, goal, path, new HashSet<>()) ? List.copyOf(path) : List.of();
@@ -245,16 +293,30 @@ public final class Leases {
 
   private boolean leads(String from, String to, Deque<String> path, Set<String> seen) {
     path.addLast(from);
-    for (WaitsFor edge : waitsOf(from)) {
+    for (WaitsFor edge : waitsFrom(from)) {
       String next = edge.holder();
-      if (isSoStill(edge)
-          && !next.equals(from)
-          && (next.equals(to) || seen.add(next) && leads(next, to, path, seen))) {
+      if (!isSoStill(edge) || isOne(next, from)) {
+        continue;
+      }
+      if (GoalId.isWithin(to, next)) {
+        path.removeFirst();
+        path.addLast(next);
+        return true;
+      }
+      if (next.equals(to) || seen.add(next) && leads(next, to, path, seen)) {
         return true;
       }
     }
     path.removeLast();
     return false;
+  }
+
+  /** Who holds something for steps is not done before they are. */
+  private List<WaitsFor> waitsFrom(String goal) {
+    return waits.entrySet().stream()
+        .filter(e -> e.getKey().equals(goal) || GoalId.isWithin(e.getKey(), goal))
+        .flatMap(e -> e.getValue().edges().stream())
+        .toList();
   }
 
   public boolean isBefore(String goal, String other) {
@@ -289,7 +351,9 @@ public final class Leases {
     passed.add(goal);
     for (Map.Entry<String, Wait> wait : waits.entrySet()) {
       if (!passed.contains(wait.getKey())
-          && wait.getValue().edges().stream().anyMatch(edge -> edge.holder().equals(goal))) {
+          && wait.getValue().edges().stream()
+              .map(WaitsFor::holder)
+              .anyMatch(holder -> holder.equals(goal) || GoalId.isWithin(goal, holder))) {
         raised = raised.raisedTo(standing(wait.getKey(), passed));
       }
     }

@@ -18,6 +18,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
@@ -55,6 +56,7 @@ final class Course {
   private final Notes notes;
   private final ScriptStory told;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
+  private final Map<String, HoldGoal> holds = new LinkedHashMap<>();
   private final Map<String, Recovery.UnfinishedGoal> former = new LinkedHashMap<>();
   private final List<Watching> watched = new ArrayList<>();
   private final List<Runnable> deferred = new ArrayList<>();
@@ -288,6 +290,36 @@ final class Course {
         make -> ended -> subgoals.calling(notes.partId(path), call, make, ported(path), ended));
   }
 
+  /**
+   * @param held run once, when nobody else has it
+   */
+  void hold(String path, Resource component, Runnable held, Consumer<Result> then) {
+    told.begins(path, "Keep %s for the steps in it".formatted(component.inWords()));
+    begin(
+        path,
+        new Formula.And(List.of()),
+        then,
+        make ->
+            ended -> {
+              HoldGoal hold =
+                  new HoldGoal(
+                      notes.partId(path),
+                      make,
+                      component,
+                      ports.with(told.ofHolding(path, component.inWords())),
+                      activeGoals,
+                      held,
+                      ended);
+              holds.put(path, hold);
+              return hold;
+            });
+  }
+
+  /** The steps are done for which it was held. */
+  void letGo(String path) {
+    Optional.ofNullable(holds.get(path)).ifPresent(HoldGoal::finish);
+  }
+
   private static String with(FeatureCall call) {
     StringBuilder text = new StringBuilder();
     call.parameters()
@@ -330,6 +362,7 @@ final class Course {
 
   private void ended(String path, GoalOutcome outcome, Consumer<Result> then) {
     underway.remove(path);
+    holds.remove(path);
     unseen |= !outcome.confirmed();
     subgoals.over(notes.partId(path));
     partEnded.accept(outcome);

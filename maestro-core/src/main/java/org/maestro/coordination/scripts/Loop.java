@@ -52,15 +52,37 @@ final class Loop extends Part {
     } else {
       // What was done before a restart took time then.
       long deeds = wasBegun ? -1 : course.deeds();
-      Part part =
-          course.part(loop.body(), scope, begun, result -> ended(finished + 1, deeds, result));
-      round = Optional.of(part);
-      part.begin();
+      Consumer<Result> then = result -> ended(finished + 1, deeds, result);
+      if (loop.body() instanceof Body.Hold hold && hold.parts().isEmpty()) {
+        hold(new Holding(hold, scope, course, begun, then));
+      } else {
+        begin(course.part(loop.body(), scope, begun, then));
+      }
     }
+  }
+
+  private void begin(Part part) {
+    round = Optional.of(part);
+    part.begin();
+  }
+
+  /** The round is over when the condition is not known to hold any more. */
+  private void hold(Holding holding) {
+    Runnable look =
+        () -> {
+          if (!course.isKnown(loop.condition(), scope)) {
+            stopWatching();
+            holding.letGo();
+          }
+        };
+    watching = Optional.of(course.watch(reading.orElseThrow(), () -> course.whenReady(look)));
+    begin(holding);
+    course.whenReady(look);
   }
 
   private void ended(int finished, long deedsBefore, Result result) {
     round = Optional.empty();
+    stopWatching();
     if (!(result instanceof Result.Done)) {
       end(result);
       return;

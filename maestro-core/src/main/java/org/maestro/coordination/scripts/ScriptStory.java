@@ -47,6 +47,18 @@ final class ScriptStory {
     };
   }
 
+  /** The same of a component that is held: whatever becomes of the steps, it is let go. */
+  Story ofHolding(String path, String component) {
+    Story told = of(path);
+    return entry -> {
+      if (entry.kind() == StoryEntry.Kind.END) {
+        tell(StoryEntry.Kind.DONE, path, "Lets go of %s.".formatted(component));
+      } else {
+        told.tell(entry);
+      }
+    };
+  }
+
   private void tell(StoryEntry.Kind kind, String path, String text) {
     ports
         .story()

@@ -21,7 +21,7 @@ public enum GoalPhase {
   RUNNING(GoalState.RUNNING, "The steps of its plan are done."),
   LOOKING(GoalState.CONFIRMING, "The steps are done that show whether it is reached."),
   HALTING("Another has what the next steps need; those under way come to their end."),
-  WAITING_FOR_TURN(GoalState.WAITING, "Another has what its plan needs."),
+  WAITING_FOR_TURN(GoalState.WAITING, "Another has what its plan needs, or its script is to hold."),
   WAITING_FOR_STEP(GoalState.WAITING, "A step needs a thing in use, or would spoil a fact."),
   WAITING_FOR_PLANS(GoalState.WAITING, "The goals stated with it are planned first."),
   WAITING_FOR_WORTH(GoalState.WAITING, "It costs more than it brings, as things are."),
@@ -33,7 +33,7 @@ public enum GoalPhase {
   LISTENING(GoalState.WAITING, "Nobody has seen it; who tells of it unasked has time to."),
   ASKING(GoalState.WAITING, "Nobody can see it; who speaks of it is asked once more."),
   SUSPENDED(GoalState.SUSPENDED, "It gave way to a goal that goes first, and goes on afterwards."),
-  CARRYING_OUT(GoalState.RUNNING, "The steps of a script are done."),
+  CARRYING_OUT(GoalState.RUNNING, "The steps of a script are done, or something is held for them."),
   BRINGING_ABOUT("To be kept, and not so: it is brought about."),
   HOLDING(GoalState.HOLDING, "To be kept, and so."),
   WAITING_TO_RETRY(GoalState.WAITING, "To be kept, and could not be; it is tried again later."),
@@ -68,9 +68,17 @@ public enum GoalPhase {
   /** The phases that may come next. */
   public Set<GoalPhase> next() {
     return switch (this) {
-      case SUBMITTED -> EnumSet.of(PLANNING, RECOVERING, CARRYING_OUT, BRINGING_ABOUT, ENDING);
+      case SUBMITTED ->
+          EnumSet.of(PLANNING, RECOVERING, CARRYING_OUT, WAITING_FOR_TURN, BRINGING_ABOUT, ENDING);
       case RECOVERING ->
-          EnumSet.of(RECOVERING, PLANNING, REPLANNING, CARRYING_OUT, BRINGING_ABOUT, ENDING);
+          EnumSet.of(
+              RECOVERING,
+              PLANNING,
+              REPLANNING,
+              CARRYING_OUT,
+              WAITING_FOR_TURN,
+              BRINGING_ABOUT,
+              ENDING);
       case PLANNING, REPLANNING, PLANNING_TO_SEE -> EnumSet.of(DECIDING, ENDING);
       case DECIDING ->
           EnumSet.of(
@@ -99,7 +107,12 @@ public enum GoalPhase {
               ASKING,
               SUSPENDED,
               ENDING);
-      case HALTING, WAITING_FOR_TURN, WAITING_FOR_WORTH ->
+      case WAITING_FOR_TURN -> {
+        EnumSet<GoalPhase> next = EnumSet.of(CARRYING_OUT);
+        next.addAll(HALTING.next());
+        yield next;
+      }
+      case HALTING, WAITING_FOR_WORTH ->
           EnumSet.of(
               RUNNING,
               LOOKING,
@@ -144,8 +157,9 @@ public enum GoalPhase {
               HOLDING,
               WAITING_TO_RETRY,
               BRINGING_ABOUT,
+              CARRYING_OUT,
               ENDING);
-      case CARRYING_OUT -> EnumSet.of(CARRYING_OUT, ENDING);
+      case CARRYING_OUT -> EnumSet.of(CARRYING_OUT, SUSPENDED, ENDING);
       case BRINGING_ABOUT -> EnumSet.of(HOLDING, WAITING_TO_RETRY, BRINGING_ABOUT, ENDING);
       case HOLDING -> EnumSet.of(HOLDING, BRINGING_ABOUT, WAITING_TO_RETRY, SUSPENDED, ENDING);
       case WAITING_TO_RETRY ->

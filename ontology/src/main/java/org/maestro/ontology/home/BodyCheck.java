@@ -23,6 +23,7 @@ final class BodyCheck {
 
   private final Home home;
   private final CallCheck calls;
+  private final HoldCheck holds;
   private final TermFit fit;
   private final BiConsumer<String, String> problems;
 
@@ -32,6 +33,7 @@ final class BodyCheck {
   BodyCheck(Home home, Offers offers, BiConsumer<String, String> problems) {
     this.home = home;
     this.calls = new CallCheck(home, offers, problems);
+    this.holds = new HoldCheck(home, offers, problems);
     this.fit = new TermFit(home);
     this.problems = problems;
   }
@@ -76,6 +78,9 @@ final class BodyCheck {
       names.check(back.value());
     } else if (body instanceof Body.Run run) {
       check(run, variables);
+    } else if (body instanceof Body.Hold hold) {
+      names.check(hold.member());
+      holds.check(hold, variables);
     } else if (body instanceof Body.Do call) {
       names.check(call.member());
       call.parameters().values().forEach(names::check);

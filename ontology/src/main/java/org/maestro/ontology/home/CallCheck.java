@@ -9,7 +9,6 @@ import java.util.stream.Stream;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
-import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Body;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -58,10 +57,7 @@ final class CallCheck {
     List<FeatureType> own = all;
     if (call.member() instanceof Term.Variable variable) {
       List<String> classes = variables.getOrDefault(variable.name(), List.of());
-      own =
-          classes.isEmpty()
-              ? all
-              : offers.of(feature, offerer -> classes.stream().anyMatch(one -> is(offerer, one)));
+      own = classes.isEmpty() ? all : offers.of(feature, offers.whoMayBe(classes));
     } else if (!(call.member() instanceof Term.Name name)) {
       tell(call, "is no device");
     } else if (home.devices().containsKey(name.text())) {
@@ -73,16 +69,6 @@ final class CallCheck {
       tell(call, "does not offer it");
     }
     return own.isEmpty() ? all : own;
-  }
-
-  /** Whether a device of the home, or somebody of a class of devices, may be of the class. */
-  private boolean is(String offerer, String className) {
-    Vocabulary vocabulary = home.vocabulary();
-    Device device = home.devices().get(offerer);
-    return !vocabulary.classes().containsKey(className)
-        || (device != null
-            ? device.individual().classes().contains(className)
-            : vocabulary.mayBeBoth(offerer, className));
   }
 
   private void tell(Body.Do call, String problem) {

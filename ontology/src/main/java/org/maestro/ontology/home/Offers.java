@@ -3,8 +3,11 @@ package org.maestro.ontology.home;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.apache.jena.vocabulary.RDF;
@@ -19,9 +22,11 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 final class Offers {
   private static final Node OFFERS = Maestro.term("offers");
 
+  private final Home home;
   private final Map<String, Map<String, FeatureType>> offers = new TreeMap<>();
 
   Offers(SourceGraph graph, Home home) {
+    this.home = home;
     Vocabulary vocabulary = home.vocabulary();
     vocabulary.features().keySet().forEach(name -> offers.put(name, new TreeMap<>()));
     FeatureReader reader = new FeatureReader(graph, vocabulary::isFluent);
@@ -49,6 +54,29 @@ final class Offers {
         .filter(offer -> offerers.test(offer.getKey()))
         .map(Map.Entry::getValue)
         .toList();
+  }
+
+  /** What their features occupy of those who offer them. */
+  Set<String> components(Predicate<String> offerers) {
+    return offers.values().stream()
+        .flatMap(offered -> offered.entrySet().stream())
+        .filter(offer -> offerers.test(offer.getKey()))
+        .flatMap(offer -> offer.getValue().occupies().stream())
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Devices of the home, and classes of devices, that may be of one of these classes. */
+  Predicate<String> whoMayBe(List<String> classes) {
+    return offerer -> classes.stream().anyMatch(className -> mayBe(offerer, className));
+  }
+
+  private boolean mayBe(String offerer, String className) {
+    Vocabulary vocabulary = home.vocabulary();
+    Device device = home.devices().get(offerer);
+    return !vocabulary.classes().containsKey(className)
+        || (device != null
+            ? device.individual().classes().contains(className)
+            : vocabulary.mayBeBoth(offerer, className));
   }
 
   private void add(FeatureType type, String offerer) {

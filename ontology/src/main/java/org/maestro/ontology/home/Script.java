@@ -30,6 +30,11 @@ public record Script(
     parameters = List.copyOf(parameters);
   }
 
+  /** One of which nothing else is said. */
+  public Script(String name, List<TypedVariable> parameters, Body body) {
+    this(name, name, parameters, body, Optional.empty(), Optional.empty(), Optional.empty());
+  }
+
   /** How it is stated as a goal, with variables where values are to stand. */
   public String form() {
     StringBuilder form = new StringBuilder("(" + name);

@@ -92,6 +92,9 @@ class ScriptReaderTest {
         "(foreach (?r - RechargingRobot) (< (charge ?r) 1) (do recharge ?r))",
         "(assert (forall (?l - Lamp) (when (> (level ?l) 0.5) (assign (level ?l) 0.5))))",
         "(let ?given (run dim zone-a 0.5) (achieve (in Cup ?given)))",
+        "(hold rose \\\"arm\\\" (wait 30) (achieve (in rose zone-a)))",
+        "(while (open door-ab) (hold rose \\\"base\\\"))",
+        "(foreach (?r - RechargingRobot) (in ?r zone-a) (hold ?r \\\"base\\\" (wait 30)))",
       })
   void whatIsFine(String body) {
     String text = script("again", "", body);
@@ -197,6 +200,20 @@ class ScriptReaderTest {
         "(do adjustLight lamp-a1 :level 0.6) | body gives 0.6 for :level of adjustLight, which"
             + " cannot be that; give it one of 0, 0.25, 0.5, 1",
         "(do adjustLight lamp-a1 :level true) | body gives true for :level of adjustLight",
+        // what is kept
+        "(hold rose \\\"base\\\") | body \"(hold rose \"base\")\" is not MAESTRO-SL: at column 18 stands"
+            + " \")\"; write a member, its component in quotes, and steps",
+        "(hold rose base (wait 1)) | body \"(hold rose base (wait 1))\" is not MAESTRO-SL: at column 12"
+            + " stands \"base\"; write a text in quotes",
+        "(hold rose \\\"bases\\\" (wait 1))"
+            + " | body holds the unknown component bases of rose; write base, if that is meant",
+        "(hold rose \\\"wing\\\" (wait 1))"
+            + " | body holds the unknown component wing of rose; it has arm, base",
+        "(hold Cup \\\"base\\\" (wait 1)) | body holds base of Cup, which has no components",
+        "(hold ?who \\\"base\\\" (wait 1)) | body holds base of ?who, which has no components",
+        "(hold ros \\\"base\\\" (wait 1)) | body names ros, which is not described; write rose",
+        "(hold rose \\\"base\\\" (do moove rose)) | body calls the unknown feature moove",
+        "(hold rose \\\"base\\\" (wait 1) (run faulty ?room ?who)) | body runs itself without an end",
         "(do adjustLight lamp-a1 :level ?room) | body gives ?room for :level of adjustLight",
       })
   void aFaultyBody(String body, String expected) {

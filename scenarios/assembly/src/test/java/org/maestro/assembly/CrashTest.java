@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.LongStream;
@@ -155,7 +154,8 @@ class CrashTest {
               (try (fail "nothing to do")
                 (recover (run homewards))
                 (finally (foreach (?l - Lamp) (= (level ?l) 0.25) (do adjustLight ?l :level 0))))
-              (while (in rose zone-b) (do move rose :to zone-a) :most 2))
+              (while (in rose zone-b) (do move rose :to zone-a) :most 2)
+              (hold rose "base" (do move rose :to zone-b) (do move rose :to zone-a)))
             """,
             home.vocabulary()::isFluent);
     Body homewards =
@@ -169,8 +169,7 @@ class CrashTest {
   }
 
   private static Script script(String name, List<TypedVariable> parameters, Body body) {
-    return new Script(
-        name, name, parameters, body, Optional.empty(), Optional.empty(), Optional.empty());
+    return new Script(name, parameters, body);
   }
 
   private int entriesOfScript() throws IOException {

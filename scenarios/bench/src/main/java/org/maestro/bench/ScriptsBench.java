@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
@@ -96,15 +95,7 @@ public final class ScriptsBench {
       Map<String, Script> scripts, Home home, String name, List<String> parameters, String body) {
     List<TypedVariable> variables = parameters.stream().map(SlParser::variable).toList();
     scripts.put(
-        name,
-        new Script(
-            name,
-            name,
-            variables,
-            SlParser.body(body, home.vocabulary()::isFluent),
-            Optional.empty(),
-            Optional.empty(),
-            Optional.empty()));
+        name, new Script(name, variables, SlParser.body(body, home.vocabulary()::isFluent)));
   }
 
   private static String steps(String step) {
