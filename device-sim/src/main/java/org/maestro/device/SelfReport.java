@@ -15,6 +15,7 @@ import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
 import org.maestro.ontology.floor.Point2;
@@ -65,6 +66,9 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(DoorDrive.class)
         .ifPresent(door -> words.put("open", new Term.Truth(door.isOpen())));
+    drivers
+        .find(PresenceSensor.class)
+        .ifPresent(sensor -> words.put("presence", new Term.Truth(sensor.isSomebodyThere())));
     drivers
         .find(Battery.class)
         .ifPresent(battery -> words.put("charge", new Term.Number(battery.charge())));

@@ -31,7 +31,7 @@ final class MoveTask extends DeviceProcedure {
 
   @Override
   void start(Execution execution, CallParameters parameters) {
-    Area area = area(parameters);
+    Area area = robot.area(parameters.pointer("to"));
     List<Point2> goals = robot.standsIn(area);
     Optional<Point2> onward = parameters.optionalPosition("onward").map(Position::floor);
     execution.onCancel(
@@ -69,17 +69,6 @@ final class MoveTask extends DeviceProcedure {
             : List.of());
   }
 
-  private Area area(CallParameters parameters) {
-    Pointer to = parameters.pointer("to");
-    return to.outline()
-        .map(outline -> new Area(to.name(), outline, outline.centroid()))
-        .or(() -> robot.area(to.name()))
-        .orElseThrow(
-            () ->
-                new InvalidCallException(
-                    "The place " + to.name() + " is not on the map and comes without outline."));
-  }
-
   @Override
   Estimate cost(CallParameters parameters) {
     return costFrom(start(parameters), parameters);
@@ -91,7 +80,7 @@ final class MoveTask extends DeviceProcedure {
   }
 
   private Estimate costFrom(Point2 start, CallParameters parameters) {
-    List<Point2> goals = robot.standsIn(area(parameters));
+    List<Point2> goals = robot.standsIn(robot.area(parameters.pointer("to")));
     return robot
         .route(start, goals)
         .map(way -> price(Math.max(LEAST_SECONDS, robot.seconds(way)), robot.joules(way)))

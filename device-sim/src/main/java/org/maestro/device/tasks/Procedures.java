@@ -33,6 +33,7 @@ public final class Procedures {
     kinds.put("move", new Kind("driving", MoveTask::new));
     kinds.put("pick", new Kind("arm-in-movement", PickTask::new));
     kinds.put("place", new Kind("arm-in-movement", PlaceTask::new));
+    kinds.put("sweep", new Kind("sweeping", SweepTask::new));
     kinds.put("recharge", new Kind("charging", RechargeTask::new));
   }
 

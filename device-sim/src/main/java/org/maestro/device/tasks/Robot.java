@@ -3,6 +3,8 @@ package org.maestro.device.tasks;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
@@ -84,6 +86,20 @@ final class Robot {
     return surroundings.areas().stream().filter(area -> area.name().equals(name)).findFirst();
   }
 
+  /**
+   * @throws InvalidCallException when it is not on the map, and comes without outline
+   */
+  Area area(Pointer place) {
+    return place
+        .outline()
+        .map(outline -> new Area(place.name(), outline, outline.centroid()))
+        .or(() -> area(place.name()))
+        .orElseThrow(
+            () ->
+                new InvalidCallException(
+                    "The place " + place.name() + " is not on the map and comes without outline."));
+  }
+
   boolean isOnMap(Point2 point) {
     return surroundings.areas().stream().anyMatch(area -> area.outline().contains(point));
   }
@@ -110,6 +126,29 @@ final class Robot {
       }
     }
     return stands.isEmpty() ? List.of(area.outline().centroid()) : stands;
+  }
+
+  /**
+   * The ends of lanes, each as far from the next as the base is wide, in the order in which they
+   * are driven: the whole of an area but what is too narrow, or where something stands.
+   */
+  List<Point2> lanes(Area area) {
+    List<Segment> edges = area.outline().edges();
+    SortedMap<Double, List<Point2>> rows = new TreeMap<>();
+    for (Point2 point : area.outline().samples(2 * base.radius())) {
+      if (isWholly(point, area, edges) && routeToNearest(List.of(point)).isPresent()) {
+        rows.computeIfAbsent(point.y(), y -> new ArrayList<>()).add(point);
+      }
+    }
+    List<Point2> ends = new ArrayList<>();
+    for (List<Point2> row : rows.values()) {
+      Point2 first = row.get(0);
+      Point2 last = row.get(row.size() - 1);
+      boolean isForth = ends.size() % 4 == 0;
+      ends.add(isForth ? first : last);
+      ends.add(isForth ? last : first);
+    }
+    return ends;
   }
 
   /** Where it stands right beside an edge, on either side, as near as can be to where it is. */

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Camera;
 import org.maestro.hal.DaylightSensor;
@@ -17,6 +18,7 @@ import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
+import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.SwitchedLamp;
@@ -102,6 +104,12 @@ public final class DriverFactory {
               .with(
                   IlluminationSensor.class,
                   new SimulatedTsl2561(actuator, parameters.sensor(), place(device)));
+      case "presence-sensor" ->
+          Drivers.none()
+              .with(
+                  PresenceSensor.class,
+                  SimulatedPresenceSensor.start(
+                      actuator, parameters.presence(), area(device), robots));
       case "door" ->
           Drivers.none()
               .with(
@@ -130,7 +138,7 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, door, shutter, mobile-robot, mobile-robot-with-camera,"
+                  + " light-sensor, tsl2561, presence-sensor, door, shutter, mobile-robot, mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
   }
@@ -299,6 +307,18 @@ public final class DriverFactory {
         .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
+  }
+
+  private Area area(Device device) {
+    return world
+        .building()
+        .map()
+        .areaAt(place(device).floor())
+        .orElseThrow(
+            () ->
+                new SimulationException(
+                    "The sensor %s stands in no zone. Give it a maestro:pose within one."
+                        .formatted(device.id())));
   }
 
   private static Position place(Device device) {

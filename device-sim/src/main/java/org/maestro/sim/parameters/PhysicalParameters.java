@@ -17,6 +17,7 @@ public record PhysicalParameters(
     TurnData turn,
     SensorData sensor,
     FacadeData facade,
+    PresenceData presence,
     LampData lamp,
     BaseData base,
     WheelData wheels,
@@ -34,6 +35,7 @@ public record PhysicalParameters(
         TurnData.YOUBOT,
         SensorData.TSL2561,
         FacadeData.USUAL,
+        PresenceData.USUAL,
         LampData.HUE,
         BaseData.YOUBOT,
         WheelData.YOUBOT,
@@ -45,26 +47,26 @@ public record PhysicalParameters(
 
   public PhysicalParameters with(CameraData other) {
     return new PhysicalParameters(
-        shutters, other, colour, image, turn, sensor, facade, lamp, base, wheels, arm, gripper,
-        battery, drives);
+        shutters, other, colour, image, turn, sensor, facade, presence, lamp, base, wheels, arm,
+        gripper, battery, drives);
   }
 
   public PhysicalParameters with(SensorData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, other, facade, lamp, base, wheels, arm, gripper,
-        battery, drives);
+        shutters, camera, colour, image, turn, other, facade, presence, lamp, base, wheels, arm,
+        gripper, battery, drives);
   }
 
   public PhysicalParameters with(BaseData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, lamp, other, wheels, arm, gripper,
-        battery, drives);
+        shutters, camera, colour, image, turn, sensor, facade, presence, lamp, other, wheels, arm,
+        gripper, battery, drives);
   }
 
   public PhysicalParameters with(ArmData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, lamp, base, wheels, other, gripper,
-        battery, drives);
+        shutters, camera, colour, image, turn, sensor, facade, presence, lamp, base, wheels, other,
+        gripper, battery, drives);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

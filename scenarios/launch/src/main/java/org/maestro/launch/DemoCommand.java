@@ -51,7 +51,8 @@ final class DemoCommand implements Callable<Integer> {
       paramLabel = "NAME",
       completionCandidates = Shipped.Scenes.class,
       defaultValue = "bob-dark",
-      description = "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps or arena-dark.")
+      description =
+          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark or housekeeper.")
   private String scene;
 
   @Option(
@@ -96,6 +97,9 @@ final class DemoCommand implements Callable<Integer> {
     if (console && json) {
       throw CommandException.badInput("--console stays, --json prints and ends; leave one away.");
     }
+    if (scene.equals(HousekeeperEvening.SCENE)) {
+      return evening();
+    }
     String homeName = scene.substring(0, scene.indexOf('-'));
     Home home = Shipped.home(homeName);
     Scene truth = Shipped.scene(scene, home);
@@ -110,19 +114,8 @@ final class DemoCommand implements Callable<Integer> {
       out.println();
     }
     RuntimeDirectory directory = RuntimeDirectory.ofUser();
-    SiteSettings settings =
-        SiteSettings.of(NAME, home)
-            .scene(truth)
-            .seed(seed)
-            .storyDirectory(directory.beginStories(NAME))
-            .allocation(allocation.objective())
-            .build();
-    try (LocalSite site = LocalSite.paced(settings, speed)) {
-      Optional<Console> served =
-          console
-              ? ConsoleOptions.usual().start(site, NAME, Optional.empty(), Optional.empty())
-              : Optional.empty();
-      served.ifPresent(page -> out.println("In a browser: " + page.uri()));
+    try (LocalSite site = LocalSite.paced(settings(home, truth, directory), speed)) {
+      Optional<Console> served = served(site, out);
       Optional<Duration> lowerBound = lowerBound(site, home, goal);
       TopView view = new TopView(home, site.world());
       GoalReport report = pursue(site, goal);
@@ -142,6 +135,53 @@ final class DemoCommand implements Callable<Integer> {
         stay(site, served.get(), out);
       }
       return summary.reached() ? ExitCode.DONE : ExitCode.NOT_REACHED;
+    }
+  }
+
+  private SiteSettings settings(Home home, Scene truth, RuntimeDirectory directory) {
+    return SiteSettings.of(NAME, home)
+        .scene(truth)
+        .seed(seed)
+        .storyDirectory(directory.beginStories(NAME))
+        .allocation(allocation.objective())
+        .build();
+  }
+
+  private Optional<Console> served(LocalSite site, PrintWriter out) {
+    Optional<Console> served =
+        console
+            ? ConsoleOptions.usual().start(site, NAME, Optional.empty(), Optional.empty())
+            : Optional.empty();
+    served.ifPresent(page -> out.println("In a browser: " + page.uri()));
+    return served;
+  }
+
+  /** What one goal after the other is for the other demos, several that never end are for this. */
+  private Integer evening() throws InterruptedException {
+    Home home = Shipped.home(HousekeeperEvening.HOME);
+    PrintWriter out = spec.commandLine().getOut();
+    RuntimeDirectory directory = RuntimeDirectory.ofUser();
+    Scene truth = Shipped.scene(HousekeeperEvening.SCENE, home);
+    try (LocalSite site = LocalSite.paced(settings(home, truth, directory), speed)) {
+      if (!json) {
+        out.println(Shipped.introduction(scene));
+        out.println();
+      }
+      Optional<Console> served = served(site, out);
+      HousekeeperEvening evening =
+          new HousekeeperEvening(site, json ? Optional.empty() : Optional.of(out));
+      evening.run();
+      Path picture = evening.draw(directory.picture(scene));
+      if (json) {
+        out.println(evening.document(picture));
+      } else {
+        evening.tell(picture, out);
+      }
+      if (served.isPresent()) {
+        out.println();
+        stay(site, served.get(), out);
+      }
+      return evening.wentWell() ? ExitCode.DONE : ExitCode.NOT_REACHED;
     }
   }
 

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -18,9 +19,16 @@ import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {
-  static final List<String> HOMES = List.of("bob", "arena");
+  static final List<String> HOMES = List.of("bob", "arena", "housekeeper");
   static final List<String> SCENES =
-      List.of("bob-dark", "bob-lit", "bob-cup-in-a", "bob-hidden", "bob-weak-lamps", "arena-dark");
+      List.of(
+          "bob-dark",
+          "bob-lit",
+          "bob-cup-in-a",
+          "bob-hidden",
+          "bob-weak-lamps",
+          "arena-dark",
+          "housekeeper");
 
   private Shipped() {}
 
@@ -80,7 +88,7 @@ final class Shipped {
 
   /** The scene that goes with a shipped home when none is named. */
   static Optional<String> usualScene(String home) {
-    return HOMES.contains(home) ? Optional.of(home + "-dark") : Optional.empty();
+    return Stream.of(home, home + "-dark").filter(SCENES::contains).findFirst();
   }
 
   /** The text in front of a shipped scene that tells people what it is. */

@@ -43,28 +43,8 @@ public final class TimeChart {
       Series dots,
       Bars.Level threshold,
       List<Event> events) {
-    NumberAxis time = Style.axis("time (s)");
-    double last = lines.get(0).points().get(lines.get(0).points().size() - 1)[0];
-    time.setRange(0, Math.ceil(last));
-    time.setTickUnit(new NumberTickUnit(tick(last)));
-    NumberAxis left = Style.axis(quantity);
-    double greatest = threshold.value();
-    for (Series line : lines) {
-      for (double[] point : line.points()) {
-        greatest = Math.max(greatest, point[1]);
-      }
-    }
-    left.setRange(0, greatest * ROOM_ABOVE);
-    XYPlot plot = Style.plot(time, left);
-    plot.setDataset(0, data(lines));
-    XYLineAndShapeRenderer line = new XYLineAndShapeRenderer(true, false);
     LegendItemCollection legend = new LegendItemCollection();
-    for (int i = 0; i < lines.size(); i++) {
-      line.setSeriesPaint(i, lines.get(i).ink().color());
-      line.setSeriesStroke(i, Ink.solid(5));
-      legend.add(Style.stroke(lines.get(i).label(), lines.get(i).ink()));
-    }
-    plot.setRenderer(0, line);
+    XYPlot plot = plot(quantity, lines, threshold.value(), legend);
     NumberAxis right = Style.axis(share);
     right.setRange(-3, 109);
     right.setTickUnit(new NumberTickUnit(20));
@@ -83,6 +63,49 @@ public final class TimeChart {
     plot.setDatasetRenderingOrder(DatasetRenderingOrder.REVERSE);
     plot.setFixedLegendItems(legend);
     return Style.image(Style.chart(title, plot));
+  }
+
+  /**
+   * Lines alone.
+   *
+   * @param quantity label of the axis, with its unit
+   */
+  public static BufferedImage draw(
+      String title, String quantity, List<Series> lines, List<Event> events) {
+    LegendItemCollection legend = new LegendItemCollection();
+    XYPlot plot = plot(quantity, lines, 0, legend);
+    events.forEach(event -> plot.addDomainMarker(marker(event)));
+    plot.setFixedLegendItems(legend);
+    return Style.image(Style.chart(title, plot));
+  }
+
+  /**
+   * @param least what the axis shows at least
+   */
+  private static XYPlot plot(
+      String quantity, List<Series> lines, double least, LegendItemCollection legend) {
+    NumberAxis time = Style.axis("time (s)");
+    double last = lines.get(0).points().get(lines.get(0).points().size() - 1)[0];
+    time.setRange(0, Math.ceil(last));
+    time.setTickUnit(new NumberTickUnit(tick(last)));
+    NumberAxis left = Style.axis(quantity);
+    double greatest = least;
+    for (Series line : lines) {
+      for (double[] point : line.points()) {
+        greatest = Math.max(greatest, point[1]);
+      }
+    }
+    left.setRange(0, greatest * ROOM_ABOVE);
+    XYPlot plot = Style.plot(time, left);
+    plot.setDataset(0, data(lines));
+    XYLineAndShapeRenderer line = new XYLineAndShapeRenderer(true, false);
+    for (int i = 0; i < lines.size(); i++) {
+      line.setSeriesPaint(i, lines.get(i).ink().color());
+      line.setSeriesStroke(i, Ink.solid(5));
+      legend.add(Style.stroke(lines.get(i).label(), lines.get(i).ink()));
+    }
+    plot.setRenderer(0, line);
+    return plot;
   }
 
   /** So that a dozen of them stand below the axis at most, each a round number. */

@@ -1,0 +1,68 @@
+package org.maestro.sim.drivers;
+
+import java.util.Set;
+import org.maestro.hal.Area;
+import org.maestro.hal.PresenceSensor;
+import org.maestro.sim.parameters.PresenceData;
+import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sim.world.Body;
+
+/** A sensor of persons in an area: it looks by itself, and tells when that has changed. */
+final class SimulatedPresenceSensor implements PresenceSensor {
+  private final Actuator actuator;
+  private final PresenceData data;
+  private final Area area;
+  private final Set<String> robots;
+  private boolean told;
+
+  private SimulatedPresenceSensor(
+      Actuator actuator, PresenceData data, Area area, Set<String> robots) {
+    this.actuator = actuator;
+    this.data = data;
+    this.area = area;
+    this.robots = robots;
+  }
+
+  /**
+   * It looks from now on.
+   *
+   * @param robots which it tells from persons by their way of moving
+   */
+  static SimulatedPresenceSensor start(
+      Actuator actuator, PresenceData data, Area area, Set<String> robots) {
+    SimulatedPresenceSensor sensor = new SimulatedPresenceSensor(actuator, data, area, robots);
+    sensor.told = sensor.looked();
+    sensor.goOn();
+    return sensor;
+  }
+
+  private void goOn() {
+    actuator.afterInAnyCase(data.everySeconds(), this::look);
+  }
+
+  private void look() {
+    if (actuator.world().isAlive(actuator.device()) && looked() != told) {
+      told = !told;
+      actuator.tell(WorldEvent.Kind.MEASURED);
+    }
+    goOn();
+  }
+
+  private boolean looked() {
+    return actuator.world().bodies().stream()
+        .filter(name -> !robots.contains(name))
+        .flatMap(name -> actuator.world().whereabouts().find(name).stream())
+        .anyMatch(this::isPersonHere);
+  }
+
+  private boolean isPersonHere(Body body) {
+    return body.isInTheOpen()
+        && body.radius() >= data.leastRadius()
+        && area.outline().contains(body.position().floor());
+  }
+
+  @Override
+  public boolean isSomebodyThere() {
+    return told;
+  }
+}
