@@ -65,6 +65,12 @@ class GuideScriptsTest {
   }
 
   @Test
+  void theTestOfTheHousekeeperIsTheOneThatIsRun() throws IOException {
+    assertThat(Files.readString(Path.of("src/test/java/org/maestro/scenario/HousekeeperTest.java")))
+        .contains(block("java"));
+  }
+
+  @Test
   void goodNightTurnsEverythingOff() throws IOException {
     try (Stage stage = stage("night")) {
       GoalOutcome outcome = stage.goal("(goodNight)");
