@@ -16,8 +16,11 @@ import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PresenceSensor;
+import org.maestro.hal.Selector;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
+import org.maestro.hal.Switch;
+import org.maestro.hal.WallClock;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.sl.SlPrinter;
@@ -69,6 +72,16 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(PresenceSensor.class)
         .ifPresent(sensor -> words.put("presence", new Term.Truth(sensor.isSomebodyThere())));
+    drivers
+        .find(Switch.class)
+        .ifPresent(appliance -> words.put("on", new Term.Truth(appliance.isOn())));
+    drivers
+        .find(Selector.class)
+        .flatMap(Selector::selected)
+        .ifPresent(choice -> words.put("selection", new Term.Name(choice)));
+    drivers
+        .find(WallClock.class)
+        .ifPresent(clock -> words.put("minuteOfDay", new Term.Number(clock.minuteOfDay())));
     drivers
         .find(Battery.class)
         .ifPresent(battery -> words.put("charge", new Term.Number(battery.charge())));

@@ -1,6 +1,6 @@
 package org.maestro.hal;
 
-/** A relay or plug that is on or off. */
+/** A relay, a plug or an appliance that is on or off. */
 public interface Switch {
 
   void set(boolean on, Completion completion);

@@ -30,6 +30,9 @@ public final class Procedures {
     kinds.put("adjustShutter", new Kind("shutter-in-movement", AdjustShutter::new));
     kinds.put("openDoor", new Kind("door-in-movement", context -> new SetDoor(context, true)));
     kinds.put("closeDoor", new Kind("door-in-movement", context -> new SetDoor(context, false)));
+    kinds.put("switchOn", new Kind("switching", context -> new SetSwitch(context, true)));
+    kinds.put("switchOff", new Kind("switching", context -> new SetSwitch(context, false)));
+    kinds.put("select", new Kind("switching", Select::new));
     kinds.put("move", new Kind("driving", MoveTask::new));
     kinds.put("pick", new Kind("arm-in-movement", PickTask::new));
     kinds.put("place", new Kind("arm-in-movement", PlaceTask::new));

@@ -1,5 +1,6 @@
 package org.maestro.sim.drivers;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
@@ -19,9 +20,12 @@ import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
+import org.maestro.hal.Selector;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
+import org.maestro.hal.Switch;
 import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.WallClock;
 import org.maestro.hal.wheels.DifferentialWheels;
 import org.maestro.hal.wheels.MecanumWheels;
 import org.maestro.hal.wheels.WheelGeometry;
@@ -38,6 +42,7 @@ import org.maestro.sim.parameters.GripperData;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.parameters.WheelData;
 import org.maestro.sim.scene.Scene;
+import org.maestro.sim.scene.SceneSky;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sim.world.Body;
 import org.maestro.sim.world.FloorMap;
@@ -55,6 +60,7 @@ public final class DriverFactory {
   private static final double USUAL_BEAM_DEGREES = 120;
   private static final double FULL_STRENGTH = 1;
   private static final double FULL_CHARGE = 1;
+  private static final double SECONDS_PER_HOUR = 3600;
 
   private final World world;
   private final Scene scene;
@@ -115,6 +121,11 @@ public final class DriverFactory {
               .with(
                   DoorDrive.class,
                   new SimulatedDoor(actuator, parameters.drives(), Stated.truth(device, "locked")));
+      case "appliance" -> {
+        SimulatedAppliance appliance = new SimulatedAppliance(actuator, parameters.drives());
+        yield Drivers.none().with(Switch.class, appliance).with(Selector.class, appliance);
+      }
+      case "clock" -> clock(device, actuator);
       case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator, this::gliding);
       case "mobile-robot-with-fingers" ->
@@ -138,7 +149,8 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, door, shutter, mobile-robot, mobile-robot-with-camera,"
+                  + " light-sensor, tsl2561, presence-sensor, door, appliance, clock, shutter, mobile-robot,"
+                  + " mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
   }
@@ -187,6 +199,23 @@ public final class DriverFactory {
         eye,
         now ->
             photographer.take(eye.views().get().get(0), eye.viewDegrees(), resolution, seed, now));
+  }
+
+  private Drivers clock(Device device, Actuator actuator) {
+    SceneSky sky =
+        scene
+            .sky()
+            .orElseThrow(
+                () ->
+                    new SimulationException(
+                        "The scene "
+                            + scene.name()
+                            + " does not say what time it is, which "
+                            + device.id()
+                            + " shows. Give the home scene:latitude, scene:dayOfYear and"
+                            + " scene:solarTime."));
+    Duration startedAt = Duration.ofSeconds(Math.round(sky.solarHours() * SECONDS_PER_HOUR));
+    return Drivers.none().with(WallClock.class, SimulatedWallClock.start(actuator, startedAt));
   }
 
   private Drivers shutter(Device device, Actuator actuator) {

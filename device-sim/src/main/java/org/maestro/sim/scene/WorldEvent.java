@@ -29,6 +29,7 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     DROPPED,
     OPENED,
     CLOSED,
+    SWITCHED,
     DIED,
     REVIVED,
     MOVED,

@@ -80,7 +80,7 @@ final class HomeReader {
   }
 
   private Map<String, Script> readScripts(Map<String, Node> nodes) {
-    ScriptReader reader = new ScriptReader(graph, vocabulary);
+    ScriptReader reader = new ScriptReader(graph, vocabulary, nodes.keySet());
     Map<String, Script> scripts = new TreeMap<>();
     nodes.forEach((name, node) -> scripts.put(name, reader.read(node)));
     return scripts;

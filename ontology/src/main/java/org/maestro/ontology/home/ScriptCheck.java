@@ -38,15 +38,17 @@ final class ScriptCheck {
         .parameters()
         .forEach(parameter -> variables.put(parameter.name(), BodyCheck.classes(parameter)));
     BodyCheck ofBenefit =
-        new BodyCheck(home, offers, (problem, cure) -> fault(node, "benefit", problem, cure));
+        new BodyCheck(
+            home, offers, (problem, cure) -> fault(node, Maestro.term("benefit"), problem, cure));
     script.benefit().ifPresent(benefit -> ofBenefit.names(variables).check(benefit));
-    new BodyCheck(home, offers, (problem, cure) -> fault(node, "body", problem, cure))
+    Node steps = ScriptReader.steps(graph, node);
+    new BodyCheck(home, offers, (problem, cure) -> fault(node, steps, problem, cure))
         .check(script.body(), variables);
     List<String> endless = EndlessRuns.from(script.name(), home.scripts());
     if (!endless.isEmpty()) {
       fault(
           node,
-          "body",
+          steps,
           "runs itself without an end (%s)".formatted(String.join(", ", endless)),
           "put one of these runs under a condition, such as (if ... (run %s ...))"
               .formatted(endless.get(1)));
@@ -60,14 +62,14 @@ final class ScriptCheck {
       if (!names.add(parameter.name())) {
         fault(
             node,
-            "arguments",
+            ScriptReader.ARGUMENTS,
             "names ?%s twice".formatted(parameter.name()),
             "give one of both another name");
       }
       if (parameter.className().isEmpty()) {
         fault(
             node,
-            "arguments",
+            ScriptReader.ARGUMENTS,
             "does not say what ?%s is".formatted(parameter.name()),
             "write its class or datatype, such as \"?%s - Thing\"".formatted(parameter.name()));
       }
@@ -78,13 +80,13 @@ final class ScriptCheck {
               type ->
                   fault(
                       node,
-                      "arguments",
+                      ScriptReader.ARGUMENTS,
                       "use the unknown class " + type,
                       Nearest.cure(type, known, "declare it as an owl:Class")));
     }
   }
 
-  private void fault(Node node, String property, String problem, String cure) {
-    graph.fault(node, Maestro.term(property), Optional.empty(), problem, cure);
+  private void fault(Node node, Node property, String problem, String cure) {
+    graph.fault(node, property, Optional.empty(), problem, cure);
   }
 }

@@ -50,7 +50,7 @@ public record PredicateDeclaration(
     Optional<TakenFrom> takenFrom) {
   /** QUDT's names of units, as people write them. */
   private static final Map<String, String> UNIT_SYMBOLS =
-      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W");
+      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W", "MIN", "min");
 
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);

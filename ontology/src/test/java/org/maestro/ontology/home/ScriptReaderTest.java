@@ -33,6 +33,21 @@ class ScriptReaderTest {
                 (wait ?level) (return ?room))\""" .
             """;
 
+  private static final String PRINTED =
+      """
+      home:measured a maestro:Script ; maestro:arguments ( "?room - Zone" ) ;
+        maestro:body "(let ?lux (value (illuminance ?room)) (return ?lux))" .
+      home:evening a maestro:Script ; maestro:arguments ( "?room - Zone" "?who - Person" ) ;
+        maestro:printed \"""script: evening
+          agent: room
+          agent: who
+          name: lux
+          lux := measured(room)
+          prepareRoom(room, who)
+          dim(room, lux)
+          dim(zone-b, 0.5)\""" .
+      """;
+
   @Test
   void aScriptIsReadWithAllThatIsSaidOfIt() {
     Home home = load(BOB);
@@ -274,6 +289,48 @@ class ScriptReaderTest {
   void aFaultyScript(String right, String wrong, String expected) {
     assertThat(BOB).contains(right);
     assertFault(BOB.replace(right, wrong), expected);
+  }
+
+  @Test
+  void aScriptMayBeWrittenAsThoseOfThePaperArePrinted() {
+    Script evening = load(BOB + PRINTED).scripts().get("evening");
+
+    assertThat(evening.form()).isEqualTo("(evening ?room - Zone ?who - Person)");
+    assertThat(SlPrinter.print(evening.body()))
+        .isEqualTo(
+            "(let ?lux (run measured ?room)"
+                + " (run prepareRoom ?room ?who) (run dim ?room ?lux) (run dim zone-b 0.5))");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "dim(room, lux) | dim(room lux) | evening maestro:printed in line 7 has \"room lux\" where an"
+            + " argument is wanted; write a name, a number or a text in quotes",
+        "name: lux | nam: lux | evening maestro:printed in line 4 declares the unknown kind nam",
+        "script: evening | script: morning"
+            + " | evening maestro:printed is headed by script: morning; write script: evening",
+        "agent: who | agent: room2 | evening maestro:printed declares the agents (room, room2), and"
+            + " maestro:arguments (room, who); name the same in both",
+        "dim(room, lux) | dimm(room, lux)"
+            + " | evening maestro:printed runs the unknown script dimm; write dim, if that is meant",
+        "dim(zone-b | dim(zone-c"
+            + " | evening maestro:printed names zone-c, which is not described; write zone-a",
+        "dim(zone-b | dim(who | evening maestro:printed gives ?who for ?room of dim, which cannot be",
+        "dim(zone-b, 0.5) | dim zone-b 0.5"
+            + " | evening maestro:printed in line 8 is \"dim zone-b 0.5\", which is no call; write",
+        "dim(zone-b, 0.5) | evening(room, who)"
+            + " | evening maestro:printed runs itself without an end (evening, evening)",
+        "maestro:printed | maestro:body \"(wait 1)\" ; maestro:printed"
+            + " | evening maestro:printed is stated beside maestro:body; keep one of both",
+        "maestro:printed | maestro:printed \"script: evening\" ; maestro:printed"
+            + " | evening maestro:printed is stated more than once; keep one",
+      })
+  void aFaultyPrintedScript(String right, String wrong, String expected) {
+    assertThat(PRINTED).contains(right);
+    assertFault(BOB + PRINTED.replace(right, wrong), expected);
   }
 
   /** Each of them is told, with the whole way back to it. */

@@ -32,7 +32,9 @@ final class Values {
           "HZ",
           "Hz",
           "CD",
-          "cd");
+          "cd",
+          "MIN",
+          "minutes");
 
   private final Shapes shapes;
   private final Function<Resource, String> names;
