@@ -29,7 +29,7 @@ final class Let extends Part {
   void proceed() {
     Optional<Term> noted = course.notes().value(path);
     if (noted.isPresent()) {
-      found(noted.get());
+      goOn(noted.get());
     } else if (let.source() instanceof Body.Run run) {
       begin(new RunScript(run, scope, course, below(SOURCE), this::ran));
     } else if (let.source() instanceof Body.Source.Value value) {
@@ -70,6 +70,11 @@ final class Let extends Part {
 
   private void found(Term value) {
     course.notes().value(path, value);
+    course.told().gives(path, let.variable(), SlPrinter.print(value));
+    goOn(value);
+  }
+
+  private void goOn(Term value) {
     begin(
         course.part(
             new Body.Seq(let.parts()),

@@ -5,6 +5,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.ontology.home.Script;
 import org.maestro.sl.Body;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /** Another script, as a part of this one. */
@@ -54,6 +56,7 @@ final class RunScript extends Part {
               "Scripts run each other more than %d deep; %s is not run."
                   .formatted(Course.DEEPEST, run.script())));
     } else {
+      course.told().runs(path, SlPrinter.print(new Formula.Atom(run.script(), arguments)));
       Part part =
           course.part(
               script.get().body(),

@@ -18,6 +18,15 @@ final class ScriptStory {
     tell(StoryEntry.Kind.STEP, path, step + ".");
   }
 
+  /** Another script is run, with these for its parameters. */
+  void runs(String path, String script) {
+    tell(StoryEntry.Kind.STEP, path, "Run " + script + ".");
+  }
+
+  void gives(String path, String variable, String value) {
+    tell(StoryEntry.Kind.KNOWN, path, "?%s is %s.".formatted(variable, value));
+  }
+
   void waits(String path, String condition) {
     tell(StoryEntry.Kind.WAIT, path, "Waits until it is known that " + condition + ".");
   }
