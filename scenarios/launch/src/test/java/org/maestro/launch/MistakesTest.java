@@ -81,7 +81,16 @@ class MistakesTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"bob", "bob-two-robots", "arena", "arena-windows", "flat", "study", "broken-cup"})
+      strings = {
+        "bob",
+        "bob-two-robots",
+        "arena",
+        "arena-windows",
+        "flat",
+        "livingroom",
+        "study",
+        "broken-cup"
+      })
   void noneIsInAShippedHome(String home) {
     Said said = check(home);
     assertThat(said.exitCode()).isZero();

@@ -25,7 +25,16 @@ class SensorsAndActuatorsTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"arena", "arena-windows", "bob", "bob-two-robots", "broken-cup", "flat", "study"})
+      strings = {
+        "arena",
+        "arena-windows",
+        "bob",
+        "bob-two-robots",
+        "broken-cup",
+        "flat",
+        "livingroom",
+        "study"
+      })
   void keepToTheirKind(String home) throws IOException {
     Map<String, FeatureType> features = features(home);
     assertThat(features).isNotEmpty();
