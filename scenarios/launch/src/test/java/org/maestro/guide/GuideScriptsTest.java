@@ -21,6 +21,9 @@ import org.maestro.launch.Printed;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sl.PrintedScript;
+import org.maestro.sl.PrintedScriptReader;
+import org.maestro.sl.SlParser;
 
 /** The scripts of the guide are listed as it shows, and do what it says. */
 class GuideScriptsTest {
@@ -62,6 +65,18 @@ class GuideScriptsTest {
     assertThat(Printed.by("scripts", home.toString())).isEqualTo(block("text"));
     assertThat(Printed.by("scripts", "arena")).startsWith("This home has no scripts");
     assertThat(Printed.by("scripts", home.toString(), "--json")).contains("\"kind\":\"script\"");
+  }
+
+  /** The lines of the paper, the script of the shipped home, and the body that they mean. */
+  @Test
+  void thePapersScriptIsInTheShippedHomeAndIsThatBody() throws IOException {
+    Home home = new HomeLoader().load(ASSEMBLED.resolve("homes/livingroom.ttl"));
+    PrintedScript printed =
+        PrintedScriptReader.read(block("printed"), home.scripts().keySet()::contains);
+
+    assertThat(printed.body())
+        .isEqualTo(SlParser.body(block("body"), home.vocabulary()::isFluent))
+        .isEqualTo(home.scripts().get(printed.name()).body());
   }
 
   @Test
