@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 
 /** Reads a {@link PrintedScript}, line by line; blank lines are nothing. */
 public final class PrintedScriptReader {
-  private static final String WORD = "[\\p{L}\\p{N}._@%+-]+";
+  private static final String WORD = "[^\\s,()\":=]+";
   private static final Pattern DECLARATION = Pattern.compile("(\\w+)\\s*:(?!=)\\s*(.*)");
   private static final Pattern CALL =
       Pattern.compile("(?:(" + WORD + ")\\s*:=\\s*)?(" + WORD + ")\\s*\\((.*)\\)");
@@ -102,7 +102,7 @@ public final class PrintedScriptReader {
     if (!call.matches()) {
       throw new PrintedScriptException(at, "is \"%s\", which is no call".formatted(line), A_STEP);
     }
-    step(at, Optional.ofNullable(call.group(1)), call.group(2), call.group(3));
+    step(at, Optional.ofNullable(call.group(1)), word(at, call.group(2)), call.group(3));
   }
 
   private void declare(int at, String kind, String text) {
@@ -122,7 +122,7 @@ public final class PrintedScriptReader {
   }
 
   private static String word(int at, String text) {
-    if (!text.matches(WORD)) {
+    if (!SlReader.isName(text) || SlReader.isNumber(text)) {
       throw new PrintedScriptException(
           at, "has \"%s\" where a name is wanted".formatted(text), "write one name there");
     }
@@ -152,10 +152,7 @@ public final class PrintedScriptReader {
     boolean isMore = !text.isBlank();
     while (isMore) {
       if (!argument.find(read) || argument.start() != read) {
-        throw new PrintedScriptException(
-            at,
-            "has \"%s\" where an argument is wanted".formatted(text.substring(read).strip()),
-            "write a name, a number or a text in quotes, with commas between them");
+        throw noArgument(at, text.substring(read).strip());
       }
       terms.add(
           argument.group(1) != null
@@ -175,14 +172,25 @@ public final class PrintedScriptReader {
     if (agents.contains(word) || names.contains(word)) {
       return new Term.Variable(word);
     }
-    if (word.matches("-?[0-9]+(\\.[0-9]+)?")) {
-      return new Term.Number(Double.parseDouble(word));
-    }
     if (scripts.test(word)) {
       asked.add(word);
       return new Term.Variable(word);
     }
-    return new Term.Name(word);
+    if (SlReader.isNumber(word) ? !isFinite(word) : !SlReader.isName(word)) {
+      throw noArgument(at, word);
+    }
+    return SlParser.term(word);
+  }
+
+  private static boolean isFinite(String number) {
+    return Double.isFinite(Double.parseDouble(number));
+  }
+
+  private static PrintedScriptException noArgument(int at, String found) {
+    return new PrintedScriptException(
+        at,
+        "has \"%s\" where an argument is wanted".formatted(found),
+        "write a name, a number or a text in quotes, with commas between them");
   }
 
   private Body body() {

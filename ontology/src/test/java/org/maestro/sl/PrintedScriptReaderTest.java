@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Set;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -68,13 +73,58 @@ class PrintedScriptReaderTest {
         "f() ; (let ?n (run greet ?a) (run f))",
         "n := f(n) | g(n) ; (let ?n (run greet ?a) (let ?n (run f ?n) (run g ?n)))",
         "f(lamp-1, -2.5, \"a, b\", 7) ; (let ?n (run greet ?a) (run f lamp-1 -2.5 \"a, b\" 7))",
-        "f(1e) ; (let ?n (run greet ?a) (run f 1e))",
+        "f(1e, 1e3, true) ; (let ?n (run greet ?a) (run f 1e 1000 true))",
         "n := f(a) ; (let ?n (run greet ?a) (run f ?a))",
         "f(greet, currenttime) ; (let ?n (run greet ?a) (let ?currenttime (run currenttime)"
             + " (let ?greet (run greet) (run f ?greet ?currenttime))))",
       })
   void steps(String steps, String expected) {
     assertThat(body(steps)).isEqualTo(expected);
+  }
+
+  /** Any text is a script that can be written in MAESTRO-SL, or has a line that says why not. */
+  @Property(tries = 500)
+  void anyText(@ForAll("texts") String text) {
+    try {
+      Body body = read(text).body();
+
+      assertThat(SlParser.body(SlPrinter.print(body), name -> false)).isEqualTo(body);
+    } catch (PrintedScriptException e) {
+      assertThat(e.line()).isBetween(1, Math.max(1, (int) text.lines().count()));
+    }
+  }
+
+  @Provide
+  Arbitrary<String> texts() {
+    Arbitrary<String> piece =
+        Arbitraries.of(
+            "script: s\n",
+            "agent: ",
+            "name: ",
+            "a",
+            "n",
+            "f(",
+            "(",
+            ")",
+            ":=",
+            " ",
+            ",",
+            "\n",
+            "\"",
+            "7",
+            "1e999",
+            "-",
+            "true",
+            "greet",
+            "?",
+            ":",
+            "=",
+            "agent: a\nname: n\nn := greet(a)\n");
+    return piece
+        .list()
+        .ofMaxSize(25)
+        .map(pieces -> String.join("", pieces))
+        .map("script: s\n"::concat);
   }
 
   @ParameterizedTest
@@ -99,6 +149,10 @@ class PrintedScriptReaderTest {
         "script: s | f(a,) ; Line 2 has \"\" where an argument is wanted",
         "script: s | f(,a) ; Line 2 has \",a\" where an argument is wanted",
         "script: s | f(a b) ; Line 2 has \"a b\" where an argument is wanted",
+        "script: s | f(?a) ; Line 2 has \"?a\" where an argument is wanted",
+        "script: s | f(1e999) ; Line 2 has \"1e999\" where an argument is wanted",
+        "script: s | f(-) ; Line 2 has \"-\" where an argument is wanted",
+        "script: s | ?f(a) ; Line 2 has \"?f\" where a name is wanted",
         "script: s | f(\"a) ; Line 2 has \"\"a\" where an argument is wanted",
         "script: s | n := f(a) ; Line 2 gives a value to n, which is no name of the script; declare"
             + " it above, name: n.",
