@@ -1,7 +1,6 @@
 """A tea kettle on the RATS bus, with nothing but paho-mqtt: a feature that MAESTRO has never seen.
 
-python3 kettle.py HOST PORT SITE [FOLDER]     FOLDER: its own of a secured site, DIR/users/kettle-1
-"""
+python3 kettle.py HOST PORT SITE [FOLDER]     FOLDER: its own of a secured site, DIR/users/kettle-1"""
 import json
 import sys
 import uuid
@@ -9,7 +8,8 @@ import uuid
 import paho.mqtt.client as mqtt
 from paho.mqtt.subscribeoptions import SubscribeOptions
 
-ME, BOOT, ROOT = "kettle-1", uuid.uuid4().hex, f"rats/1/{sys.argv[3]}/"  # another start is another boot
+HOST, PORT, SITE = sys.argv[1:4] if len(sys.argv) > 3 else sys.exit(__doc__)
+ME, BOOT, ROOT = "kettle-1", uuid.uuid4().hex, f"rats/1/{SITE}/"  # another start is another boot
 OWN, answers, served = ROOT + f"member/{ME}/", {}, []
 DESCRIPTION = {
     "@context": ["https://w3id.org/maestro/context.jsonld", {"k": "https://example.org/kitchen#"}],
@@ -95,5 +95,5 @@ if len(sys.argv) > 4:
 client.message_callback_add(OWN + "+", said_of_me)
 client.on_connect, client.on_message, client.suppress_exceptions = announce, heard, True  # rubbish must not end it
 client.on_disconnect = lambda *a: a[3] == "Session taken over" and sys.exit(f"Another {ME} is there; rename one")
-client.connect(sys.argv[1], int(sys.argv[2]), keepalive=15)
+client.connect(HOST, int(PORT), keepalive=15)
 client.loop_forever(retry_first_connection=True)

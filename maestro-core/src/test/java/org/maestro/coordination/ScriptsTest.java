@@ -90,6 +90,15 @@ class ScriptsTest {
             "G1 STEP [2] rose is to do pick :object Cup.", "G1 STEP [2] Step 1 of 1: rose picks");
   }
 
+  /** It is what its member says that this call takes, and not what any would at least. */
+  @Test
+  void whatACallCostsIsAskedForWhereOnlyItsMemberKnows() {
+    script("walk", "", "(do move rose :to zone-b)");
+
+    assertThat(run("(walk)").reached()).isTrue();
+    assertThat(house.told()).doesNotContain("Plan 1 (cost 0.5)").contains("[1] Plan 1 (cost 5)");
+  }
+
   @Test
   void whatIsAchievedIsPlannedOverAllDevices() {
     script("fetch", "?item - Item", "(seq (achieve (in ?item zone-c)) (achieve (in rose zone-a)))");

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.allocation.PlanningRound;
+import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
@@ -122,9 +123,32 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
     if (chosen.step().isEmpty()) {
       round.reject();
       giveUp(List.of(chosen.problem()));
+    } else if (chosen.step().get().exactPrice()) {
+      adopt(chosen.step().get(), round);
+    } else {
+      askForPrice(chosen.step().get(), round);
+    }
+  }
+
+  private void askForPrice(Step step, ContractNet.Round round) {
+    Ports ports = parts.ports();
+    ports
+        .contractNet()
+        .exactPrices(
+            life.id(),
+            step.member(),
+            step.feature().name(),
+            List.of(
+                new CallArguments(ports.knowledge().home(), ports.knowledge().snapshot())
+                    .of(step.feature(), step.bindings())),
+            quotes -> parts.activeGoals().run(() -> adopt(StepOfCall.at(step, quotes), round)));
+  }
+
+  private void adopt(Step step, ContractNet.Round round) {
+    if (life.isOver()) {
+      round.reject();
     } else {
       life.countPlan(false);
-      Step step = chosen.step().get();
       following.adopt(new Plan(List.of(step), step.cost(), Map.of()), round);
     }
   }

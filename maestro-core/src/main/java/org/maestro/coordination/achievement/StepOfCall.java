@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.maestro.coordination.api.ContractNet;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -66,6 +67,26 @@ record StepOfCall(Optional<Step> step, String problem) {
                             call.feature(),
                             SlPrinter.print(
                                 new Substitution(given).apply(feature.precondition())))));
+  }
+
+  /** The step at the price that its member names; where it names none, it is told when called. */
+  static Step at(Step step, List<ContractNet.Quote> quotes) {
+    return quotes.stream()
+        .filter(ContractNet.Quote.Priced.class::isInstance)
+        .map(ContractNet.Quote.Priced.class::cast)
+        .findFirst()
+        .map(
+            priced ->
+                new Step(
+                    step.number(),
+                    step.member(),
+                    step.feature(),
+                    step.bindings(),
+                    Math.max(step.cost(), priced.cost()),
+                    priced.seconds(),
+                    true,
+                    step.after()))
+        .orElse(step);
   }
 
   /** Whether it is known that the member may do it as things are. */
