@@ -13,6 +13,8 @@ import java.util.function.Consumer;
 import org.maestro.coordination.achievement.AchievementGoal;
 import org.maestro.coordination.achievement.CallGoal;
 import org.maestro.coordination.achievement.FeatureCall;
+import org.maestro.coordination.agenda.Beginnings;
+import org.maestro.coordination.agenda.EntryGoal;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
@@ -82,6 +84,7 @@ public final class Coordinator {
       new Latest<>(MOST_BYTES_OF_EXPLAINED, Decisions::bytes);
   private final Latest<PlanRecords> planned =
       new Latest<>(MOST_BYTES_OF_EXPLAINED, PlanRecords::bytes);
+  private final BegunGoals begun = new BegunGoals();
   private int lastNumber;
 
   /** The coordinator of a whole platform; its goals are G1, G2 ... */
@@ -130,10 +133,25 @@ public final class Coordinator {
    */
   public String submit(
       GoalRequest stated, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
+    GoalRequest request = checked(stated);
+    String id = begun.nextId();
+    takeOn(id, request, answer, news, ended);
+    return id;
+  }
+
+  private GoalRequest checked(GoalRequest stated) {
     GoalRequest request = ScriptGoal.weighed(stated, ports.knowledge().home().scripts());
     new GoalCheck(ports.knowledge().home()).check(request);
-    int number = ++lastNumber;
-    String id = GoalId.of(prefix, number);
+    return request;
+  }
+
+  private void takeOn(
+      String id,
+      GoalRequest request,
+      Answer answer,
+      Consumer<HeldNews> news,
+      Consumer<GoalOutcome> ended) {
+    int number = GoalId.number(prefix, id);
     ports
         .journal()
         .accept(
@@ -145,7 +163,6 @@ public final class Coordinator {
                   () -> ports.owner().execute(() -> activeGoals.run(pursuit::start)));
             },
             answer::refused);
-    return id;
   }
 
   /** The first answer to who states a goal. */
@@ -183,6 +200,7 @@ public final class Coordinator {
         outcome -> {
           Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
           ended(new Recovery.EndedGoal(request, outcome));
+          begun.ended(outcome);
           ports.journal().afterwards(() -> told.accept(outcome));
         };
     VainDeeds deeds = new VainDeeds();
@@ -203,10 +221,14 @@ public final class Coordinator {
                     reaching,
                     heard -> ports.journal().afterwards(() -> news.accept(heard)),
                     over)
-                : reaching.pursuit(request, ports, over);
+                : request.goal() instanceof Formula.Bound
+                    ? new EntryGoal(id, request, ports, activeGoals, begun, over)
+                    : reaching.pursuit(request, ports, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
-    appraisals.enter(id, request, standing);
+    if (!(request.goal() instanceof Formula.Bound)) {
+      appraisals.enter(id, request, standing);
+    }
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
   }
@@ -229,6 +251,71 @@ public final class Coordinator {
     @Override
     public void over(String id) {
       dispatcher.over(id);
+    }
+  }
+
+  /** Goals that others begin; they are this coordinator's as all are. */
+  private final class BegunGoals implements Beginnings {
+    private final Map<String, Consumer<GoalOutcome>> followers = new HashMap<>();
+
+    @Override
+    public String nextId() {
+      return GoalId.of(prefix, ++lastNumber);
+    }
+
+    @Override
+    public boolean wasBegun(String goalId) {
+      int number = GoalId.number(prefix, goalId);
+      boolean wasBegun = number <= lastNumber;
+      lastNumber = Math.max(lastNumber, number);
+      return wasBegun;
+    }
+
+    @Override
+    public void begin(
+        String goalId, GoalRequest request, Runnable accepted, Consumer<String> refused) {
+      try {
+        takeOn(goalId, checked(request), answer(accepted, refused), news -> {}, outcome -> {});
+      } catch (InvalidGoalException e) {
+        refused.accept(String.valueOf(e.getMessage()));
+      }
+    }
+
+    private Answer answer(Runnable accepted, Consumer<String> refused) {
+      return new Answer() {
+        @Override
+        public void accepted(String goalId) {
+          accepted.run();
+        }
+
+        @Override
+        public void refused(String reason) {
+          activeGoals.run(() -> refused.accept(reason));
+        }
+      };
+    }
+
+    @Override
+    public boolean follow(String goalId, Consumer<GoalOutcome> ended) {
+      Optional<Recovery.EndedGoal> over = Coordinator.this.ended.find(goalId);
+      over.ifPresentOrElse(
+          goal -> ended.accept(goal.outcome()), () -> followers.put(goalId, ended));
+      return over.isPresent() || pursuits.containsKey(goalId);
+    }
+
+    private void ended(GoalOutcome outcome) {
+      Optional.ofNullable(followers.remove(outcome.id()))
+          .ifPresent(follower -> follower.accept(outcome));
+    }
+
+    @Override
+    public boolean isHolding(String goalId) {
+      return progress(goalId).filter(ActiveGoal::isHolding).isPresent();
+    }
+
+    @Override
+    public void cancel(String goalId, String who) {
+      Coordinator.this.cancel(goalId, who);
     }
   }
 

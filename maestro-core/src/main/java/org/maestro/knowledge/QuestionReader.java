@@ -41,6 +41,10 @@ public final class QuestionReader {
       throw new KnowledgeException(
           "The question has keep around it, which goals have; ask for what is inside.");
     }
+    if (asked instanceof Formula.Bound) {
+      throw new KnowledgeException(
+          "The question is bound to a time or an event, as goals are; ask for what is inside.");
+    }
     Formula question =
         asked instanceof Formula.Atom atom && home.vocabulary().isFluent(atom.predicate())
             ? new Formula.Comparison(

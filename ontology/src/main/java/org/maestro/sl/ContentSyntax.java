@@ -113,7 +113,7 @@ final class ContentSyntax {
     if (SHARED_WORDS.contains(head)) {
       return formulaOrEffect(group);
     }
-    if (FORMULA_WORDS.contains(head)) {
+    if (FORMULA_WORDS.contains(head) || OccasionSyntax.begins(group)) {
       return new Content.Argument.OfFormula(formulas.goal(group));
     }
     boolean onlyTerms =

@@ -61,7 +61,8 @@ public final class Evaluation {
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       return Truth.of(number(unknown.fluent(), bindings).isEmpty());
     }
-    return truth(((Formula.Keep) formula).body(), bindings);
+    // Of a goal that is bound to what is yet to come, nothing is known.
+    return formula instanceof Formula.Keep keep ? truth(keep.body(), bindings) : Truth.UNKNOWN;
   }
 
   /**

@@ -98,6 +98,26 @@ public sealed interface Formula {
     }
   }
 
+  /** A goal that begins or ends at a time or an event; legal as a goal only. */
+  sealed interface Bound extends Formula {
+    Occasion occasion();
+
+    Formula goal();
+
+    @Override
+    default List<Formula> parts() {
+      return occasion() instanceof Occasion.Event event
+          ? List.of(event.condition(), goal())
+          : List.of(goal());
+    }
+  }
+
+  /** To be stated as a goal of its own then; at an event, for what the event binds. */
+  record Upon(Occasion occasion, Formula goal) implements Bound {}
+
+  /** A goal until then. */
+  record Until(Occasion occasion, Formula goal) implements Bound {}
+
   /** The comparisons. */
   enum Relation {
     EQUAL("=", "exactly"),

@@ -48,8 +48,11 @@ final class FormulaSyntax {
     return bySymbol;
   }
 
-  /** A goal: a formula, or one to be kept. */
+  /** A goal: a formula, one to be kept, or either bound to a time or an event. */
   Formula goal(Node node) {
+    if (node instanceof Node.Group group && OccasionSyntax.begins(group)) {
+      return new OccasionSyntax(this::formula, this::goal).bound(group);
+    }
     if (node instanceof Node.Group group && group.head().equals("keep")) {
       group.expectOperands(1, A_FORMULA);
       return new Formula.Keep(formula(group.rest().get(0)));
@@ -92,7 +95,12 @@ final class FormulaSyntax {
         yield unknown(atom(group.rest().get(0), "an atom or a fluent"));
       }
       case "keep" -> throw group.fault("\"keep\" only around a whole goal, and " + A_FORMULA);
-      default -> atom(group, A_FORMULA);
+      default -> {
+        if (OccasionSyntax.begins(group)) {
+          throw group.fault("\"" + group.head() + "\" only around a whole goal, and " + A_FORMULA);
+        }
+        yield atom(group, A_FORMULA);
+      }
     };
   }
 

@@ -79,10 +79,21 @@ public final class Outline {
       add(depth, "not", "this does not hold");
     } else if (formula instanceof Formula.Imply) {
       add(depth, "imply", "where the first holds, the second does");
+    } else if (formula instanceof Formula.Bound bound) {
+      add(depth, OccasionSyntax.begin(bound) + " ...)", role(bound));
     } else {
       add(depth, "keep", "is reached and then held");
     }
     formula.parts().forEach(part -> formula(part, depth + 1));
+  }
+
+  private static String role(Formula.Bound bound) {
+    if (bound instanceof Formula.Until) {
+      return "until then, the goal";
+    }
+    return bound.occasion() instanceof Occasion.Event
+        ? "each time that the first becomes so, the goal"
+        : "then, the goal";
   }
 
   private void effect(Effect effect, int depth) {

@@ -142,6 +142,9 @@ public final class SlPrinter {
       group("unknown", List.of(unknown.atom()), SlPrinter::write);
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       group("unknown", List.of(unknown.fluent()), SlPrinter::write);
+    } else if (formula instanceof Formula.Bound bound) {
+      out.append(OccasionSyntax.begin(bound));
+      end(bound.goal());
     } else {
       group("keep", List.of(((Formula.Keep) formula).body()), SlPrinter::write);
     }

@@ -76,7 +76,18 @@ public record Substitution(Map<String, Term> terms) {
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       return new Formula.UnknownNumber(apply(unknown.fluent()));
     }
+    if (formula instanceof Formula.Upon upon) {
+      return new Formula.Upon(apply(upon.occasion()), apply(upon.goal()));
+    } else if (formula instanceof Formula.Until until) {
+      return new Formula.Until(apply(until.occasion()), apply(until.goal()));
+    }
     return new Formula.Keep(apply(((Formula.Keep) formula).body()));
+  }
+
+  private Occasion apply(Occasion occasion) {
+    return occasion instanceof Occasion.Event event
+        ? new Occasion.Event(apply(event.condition()))
+        : occasion;
   }
 
   public Effect apply(Effect effect) {

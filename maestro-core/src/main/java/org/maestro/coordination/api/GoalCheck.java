@@ -38,18 +38,32 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(GoalRequest request) {
-    Optional<Script> script = script(request.goal());
-    if (script.isPresent()) {
-      check(script.get(), ((Formula.Atom) request.goal()).arguments());
+    if (request.goal() instanceof Formula.Bound bound) {
+      new BoundGoalCheck(home).check(bound, this::checkUnbound);
     } else {
-      unknownName(request.goal())
-          .ifPresent(
-              sentence -> {
-                throw new InvalidGoalException(sentence);
-              });
-      check(request.goal());
+      checkUnbound(request.goal(), Set.of());
     }
     request.stakes().map(Stakes::benefit).ifPresent(this::checkBenefit);
+  }
+
+  /**
+   * @param given variables for which there will be something when it begins
+   */
+  private void checkUnbound(Formula goal, Set<String> given) {
+    Optional<Script> script = script(goal);
+    if (script.isPresent()) {
+      check(script.get(), ((Formula.Atom) goal).arguments(), given);
+    } else {
+      refuse(unknownName(goal));
+      check(goal);
+    }
+  }
+
+  private static void refuse(Optional<String> fault) {
+    fault.ifPresent(
+        sentence -> {
+          throw new InvalidGoalException(sentence);
+        });
   }
 
   private Optional<Script> script(Formula goal) {
@@ -79,7 +93,7 @@ public final class GoalCheck {
             .formatted(atom.predicate(), cure));
   }
 
-  private void check(Script script, List<Term> arguments) {
+  private void check(Script script, List<Term> arguments, Set<String> given) {
     if (arguments.size() != script.parameters().size()) {
       throw new InvalidGoalException(
           "The script %s takes %d values, not %d; write %s."
@@ -95,7 +109,8 @@ public final class GoalCheck {
               ? Optional.ofNullable(home.individuals().get(name.text()))
               : Optional.empty();
       boolean isOfClass = thing.filter(one -> one.classes().contains(wanted)).isPresent();
-      if (home.vocabulary().classes().containsKey(wanted) && !isOfClass) {
+      boolean isGiven = argument instanceof Term.Variable open && given.contains(open.name());
+      if (home.vocabulary().classes().containsKey(wanted) && !isOfClass && !isGiven) {
         throw new InvalidGoalException(
             "%s is no %s of this home, as ?%s of %s is to be; write another."
                 .formatted(SlPrinter.print(argument), wanted, parameter.name(), script.name()));
@@ -104,20 +119,17 @@ public final class GoalCheck {
   }
 
   private void checkBenefit(Expression benefit) {
-    benefits
-        .fault(benefit)
-        .or(
-            () ->
-                FreeVariables.of(benefit).stream()
-                    .findFirst()
-                    .map(
-                        open ->
-                            "The benefit leaves ?%s open; write a name in its place."
-                                .formatted(open)))
-        .ifPresent(
-            sentence -> {
-              throw new InvalidGoalException(sentence);
-            });
+    refuse(
+        benefits
+            .fault(benefit)
+            .or(
+                () ->
+                    FreeVariables.of(benefit).stream()
+                        .findFirst()
+                        .map(
+                            open ->
+                                "The benefit leaves ?%s open; write a name in its place."
+                                    .formatted(open))));
   }
 
   /**
@@ -133,12 +145,12 @@ public final class GoalCheck {
                   "%s is a script, whose plans are made as it goes on; state it as a goal."
                       .formatted(script.name()));
             });
-    statements
-        .fault(goal)
-        .ifPresent(
-            sentence -> {
-              throw new InvalidGoalException(sentence);
-            });
+    if (goal instanceof Formula.Bound) {
+      throw new InvalidGoalException(
+          "A goal that is bound to a time or an event has no plan before it begins; state it as a"
+              + " goal.");
+    }
+    refuse(statements.fault(goal));
     Set<String> open = NumberVariables.of(goal);
     if (!open.isEmpty()) {
       throw new InvalidGoalException(

@@ -18,19 +18,16 @@ import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
-import org.maestro.coordination.contention.StepsUnderway;
+import org.maestro.coordination.contention.GoalOfGoals;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.recovery.FormerCalls;
-import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
 import org.maestro.coordination.story.GoalStory;
 import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
-import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.Script;
 import org.maestro.sl.Body;
-import org.maestro.sl.Change;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -40,7 +37,7 @@ import org.maestro.sl.Term;
  * A58, A75). It holds nothing itself; the goals for its parts contend with others as any goal does.
  * The coordinator's thread only.
  */
-public final class ScriptGoal implements ActiveGoal {
+public final class ScriptGoal implements GoalOfGoals {
   private static final String ROOT = "";
 
   /** Where it is noted that it is to be cancelled, and why; no part has that path. */
@@ -237,11 +234,6 @@ public final class ScriptGoal implements ActiveGoal {
   }
 
   @Override
-  public Decisions decisions() {
-    return new Decisions();
-  }
-
-  @Override
   public PlanRecords plans() {
     return story.plans();
   }
@@ -249,36 +241,6 @@ public final class ScriptGoal implements ActiveGoal {
   @Override
   public void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
     course.knowledgeChanged(changed);
-  }
-
-  @Override
-  public void memberLost(String member) {
-    // The goals for its parts hear of it themselves.
-  }
-
-  @Override
-  public void advance() {
-    // So do they advance.
-  }
-
-  @Override
-  public StepsUnderway underway() {
-    return new StepsUnderway();
-  }
-
-  @Override
-  public boolean isHolding() {
-    return false;
-  }
-
-  @Override
-  public Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other) {
-    return Optional.empty();
-  }
-
-  @Override
-  public boolean isTied(String member) {
-    return false;
   }
 
   @Override
@@ -297,25 +259,5 @@ public final class ScriptGoal implements ActiveGoal {
   @Override
   public Duration pursuedSince() {
     return life.submittedAt();
-  }
-
-  @Override
-  public double secondsOfRunningSteps() {
-    return 0;
-  }
-
-  @Override
-  public void giveWayTo(String other) {
-    // It keeps nothing.
-  }
-
-  @Override
-  public void standBackFor(String other) {
-    // It keeps nothing.
-  }
-
-  @Override
-  public void stepBackFor(String other) {
-    // It keeps nothing.
   }
 }

@@ -34,6 +34,8 @@ public enum GoalPhase {
   ASKING(GoalState.WAITING, "Nobody can see it; who speaks of it is asked once more."),
   SUSPENDED(GoalState.SUSPENDED, "It gave way to a goal that goes first, and goes on afterwards."),
   CARRYING_OUT(GoalState.RUNNING, "The steps of a script are done, or something is held for them."),
+  AWAITING_OCCASION(GoalState.WAITING, "Bound to a time or an event that has not come."),
+  FOLLOWING(GoalState.RUNNING, "The goal that it has begun is pursued."),
   BRINGING_ABOUT("To be kept, and not so: it is brought about."),
   HOLDING(GoalState.HOLDING, "To be kept, and so."),
   WAITING_TO_RETRY(GoalState.WAITING, "To be kept, and could not be; it is tried again later."),
@@ -69,7 +71,15 @@ public enum GoalPhase {
   public Set<GoalPhase> next() {
     return switch (this) {
       case SUBMITTED ->
-          EnumSet.of(PLANNING, RECOVERING, CARRYING_OUT, WAITING_FOR_TURN, BRINGING_ABOUT, ENDING);
+          EnumSet.of(
+              PLANNING,
+              RECOVERING,
+              CARRYING_OUT,
+              WAITING_FOR_TURN,
+              AWAITING_OCCASION,
+              FOLLOWING,
+              BRINGING_ABOUT,
+              ENDING);
       case RECOVERING ->
           EnumSet.of(
               RECOVERING,
@@ -77,6 +87,8 @@ public enum GoalPhase {
               REPLANNING,
               CARRYING_OUT,
               WAITING_FOR_TURN,
+              AWAITING_OCCASION,
+              FOLLOWING,
               BRINGING_ABOUT,
               ENDING);
       case PLANNING, REPLANNING, PLANNING_TO_SEE -> EnumSet.of(DECIDING, ENDING);
@@ -160,6 +172,8 @@ public enum GoalPhase {
               CARRYING_OUT,
               ENDING);
       case CARRYING_OUT -> EnumSet.of(CARRYING_OUT, SUSPENDED, ENDING);
+      case AWAITING_OCCASION -> EnumSet.of(AWAITING_OCCASION, FOLLOWING, ENDING);
+      case FOLLOWING -> EnumSet.of(FOLLOWING, ENDING);
       case BRINGING_ABOUT -> EnumSet.of(HOLDING, WAITING_TO_RETRY, BRINGING_ABOUT, ENDING);
       case HOLDING -> EnumSet.of(HOLDING, BRINGING_ABOUT, WAITING_TO_RETRY, SUSPENDED, ENDING);
       case WAITING_TO_RETRY ->

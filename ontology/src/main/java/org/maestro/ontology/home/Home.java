@@ -1,5 +1,6 @@
 package org.maestro.ontology.home;
 
+import java.time.ZoneId;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
  * Immutable; devices and group agents are among the individuals too.
  *
  * @param scripts how things are done in it, by their names
+ * @param timeZone of the clocks on its walls; empty: that of the machine on which one asks
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
  */
@@ -23,6 +25,7 @@ public record Home(
     Map<String, Device> devices,
     Map<String, Group> groups,
     Map<String, Script> scripts,
+    Optional<ZoneId> timeZone,
     String words) {
   public Home {
     individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
@@ -33,7 +36,13 @@ public record Home(
 
   /** The same home with these scripts. */
   public Home withScripts(Map<String, Script> others) {
-    return new Home(iri, label, vocabulary, individuals, devices, groups, others, words);
+    return new Home(iri, label, vocabulary, individuals, devices, groups, others, timeZone, words);
+  }
+
+  /** The same home, whose clocks show the time of that zone. */
+  public Home in(ZoneId zone) {
+    return new Home(
+        iri, label, vocabulary, individuals, devices, groups, scripts, Optional.of(zone), words);
   }
 
   /** A home without scripts and words of its own. */
@@ -44,7 +53,7 @@ public record Home(
       Map<String, Individual> individuals,
       Map<String, Device> devices,
       Map<String, Group> groups) {
-    this(iri, label, vocabulary, individuals, devices, groups, Map.of(), "");
+    this(iri, label, vocabulary, individuals, devices, groups, Map.of(), Optional.empty(), "");
   }
 
   /** A home without group agents and words of its own. */
@@ -96,6 +105,7 @@ public record Home(
         joined,
         groups,
         scripts,
+        timeZone,
         words);
   }
 

@@ -1,7 +1,10 @@
 package org.maestro.ontology.home;
 
+import java.time.DateTimeException;
+import java.time.ZoneId;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -61,6 +64,7 @@ final class HomeReader {
             devices(individuals, nodes, words),
             groups(individuals, nodes, words),
             readScripts(scripts),
+            timeZone(homeNode),
             ownWords());
     check(home, nodes, scripts);
     return home;
@@ -84,6 +88,22 @@ final class HomeReader {
     Map<String, Script> scripts = new TreeMap<>();
     nodes.forEach((name, node) -> scripts.put(name, reader.read(node)));
     return scripts;
+  }
+
+  private Optional<ZoneId> timeZone(Node home) {
+    Optional<String> named = new Literals(graph).text(home, "timeZone");
+    try {
+      return named.map(ZoneId::of);
+    } catch (DateTimeException e) {
+      Node property = Maestro.term("timeZone");
+      graph.fault(
+          home,
+          property,
+          graph.object(home, property),
+          "is no time zone",
+          "name one such as \"Europe/Berlin\"");
+      return Optional.empty();
+    }
   }
 
   private String ownWords() {

@@ -84,6 +84,10 @@ public final class NameCheck {
       atom(unknown.atom());
     } else if (formula instanceof Formula.UnknownNumber unknown) {
       check(unknown.fluent());
+    } else if (formula instanceof Formula.Bound) {
+      problems.accept(
+          "is bound to a time or an event (%s)".formatted(SlPrinter.print(formula)),
+          "state it as a goal of its own");
     } else {
       formula.parts().forEach(this::check);
     }

@@ -1,0 +1,75 @@
+package org.maestro.coordination.agenda;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Candidates;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/** For which individuals a condition is known to hold. Immutable; any thread may ask. */
+final class Instances {
+  private final Formula condition;
+  private final Snapshot now;
+  private final Candidates candidates;
+
+  Instances(Formula condition, Snapshot now) {
+    this.condition = condition;
+    this.now = now;
+    this.candidates = new Candidates(now::candidates);
+  }
+
+  /** Of what it is to be heard. */
+  static FactFilter interest(Formula condition, Vocabulary vocabulary) {
+    FactFilter interest = new FactFilter(vocabulary);
+    interest.addRead(condition);
+    return interest;
+  }
+
+  /** The condition as it holds, without variables, and what it has in their places. */
+  Map<Formula, Substitution> all() {
+    List<Map<String, Term>> bindings = List.of(Map.of());
+    for (String variable : FreeVariables.of(condition)) {
+      List<Map<String, Term>> extended = new ArrayList<>();
+      for (Map<String, Term> binding : bindings) {
+        for (Term.Name individual : individuals(variable, binding)) {
+          Map<String, Term> with = new HashMap<>(binding);
+          with.put(variable, individual);
+          extended.add(with);
+        }
+      }
+      bindings = extended;
+    }
+    Map<Formula, Substitution> instances = new LinkedHashMap<>();
+    for (Map<String, Term> binding : bindings) {
+      if (new Evaluation(now).truth(condition, binding) == Truth.TRUE) {
+        Substitution instance = new Substitution(binding);
+        instances.put(instance.apply(condition), instance);
+      }
+    }
+    return instances;
+  }
+
+  private List<Term.Name> individuals(String variable, Map<String, Term> binding) {
+    Optional<Set<Term>> among = candidates.of(condition, true, variable, binding);
+    return now.individuals("").stream()
+        .filter(individual -> among.isEmpty() || among.get().contains(individual))
+        .toList();
+  }
+
+  /** Of one that has no variables. */
+  Truth truth(Formula instance) {
+    return new Evaluation(now).truth(instance, Map.of());
+  }
+}

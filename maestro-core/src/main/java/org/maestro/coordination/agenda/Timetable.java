@@ -1,0 +1,57 @@
+package org.maestro.coordination.agenda;
+
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.time.ZonedDateTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Occasion;
+
+/**
+ * The moments at which clocks on the walls of one time zone show a time. On each day there is one:
+ * a time that is left out when clocks are put forward comes as much later, and one that comes twice
+ * counts the first time. Immutable.
+ */
+final class Timetable {
+  /** The furthest that the next day of the week is, and a day that a zone may leave out. */
+  private static final int DAYS = 9;
+
+  private final Occasion.At at;
+  private final ZoneId zone;
+
+  Timetable(Occasion.At at, ZoneId zone) {
+    this.at = at;
+    this.zone = zone;
+  }
+
+  /** The first moment after that one; empty when there is none. */
+  Optional<Instant> next(Instant after) {
+    if (at.date().isPresent()) {
+      return Optional.of(on(at.date().get())).filter(moment -> moment.isAfter(after));
+    }
+    LocalDate first = after.atZone(zone).toLocalDate().minusDays(1);
+    return first
+        .datesUntil(first.plusDays(DAYS))
+        .filter(date -> at.every().isEmpty() || at.every().contains(date.getDayOfWeek()))
+        .map(this::on)
+        .filter(moment -> moment.isAfter(after))
+        .findFirst();
+  }
+
+  /** All from the first moment on, before the second. */
+  List<Instant> between(Instant first, Instant before) {
+    List<Instant> moments = new ArrayList<>();
+    for (Optional<Instant> next = Optional.of(first);
+        next.isPresent() && next.get().isBefore(before);
+        next = next(next.get())) {
+      moments.add(next.get());
+    }
+    return moments;
+  }
+
+  private Instant on(LocalDate date) {
+    return ZonedDateTime.of(date, at.time(), zone).toInstant();
+  }
+}

@@ -1,0 +1,113 @@
+package org.maestro.coordination.agenda;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.facts.FactFilter;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Occasion;
+import org.maestro.sl.SlPrinter;
+
+/** Begins its goal at once, and ends it at a time, or when a condition is known to hold. */
+final class UntilThen implements Vigil {
+  private static final String DUE = "2";
+
+  private final Entry entry;
+  private final Formula.Until until;
+
+  UntilThen(Entry entry, Formula.Until until) {
+    this.entry = entry;
+    this.until = until;
+  }
+
+  @Override
+  public void start() {
+    Optional<Duration> due = due();
+    if (!isEvent() && due.isEmpty()) {
+      entry.end(GoalState.FAILED, "That time was over when it was stated.", "nobody");
+    } else if (isSo()) {
+      entry.end(GoalState.FAILED, "It is so already that " + end(due) + ".", "nobody");
+    } else {
+      due.ifPresent(moment -> entry.noteTime(DUE, moment));
+      String id =
+          entry.begin(
+              until.goal(), "until " + end(due), why -> entry.end(GoalState.FAILED, why, "nobody"));
+      await(id, due);
+    }
+  }
+
+  private void await(String id, Optional<Duration> due) {
+    entry.follow(id, ", until " + end(due));
+    endAt(id, due);
+  }
+
+  private void endAt(String id, Optional<Duration> due) {
+    due.ifPresent(moment -> entry.at(moment, () -> ends(id, end(due))));
+  }
+
+  private Optional<Duration> due() {
+    return isEvent()
+        ? Optional.empty()
+        : Due.noted(entry, DUE).or(() -> Due.of(until.occasion(), entry).after(entry.statedAt()));
+  }
+
+  private boolean isEvent() {
+    return until.occasion() instanceof Occasion.Event;
+  }
+
+  private boolean isSo() {
+    return until.occasion() instanceof Occasion.Event event
+        && !new Instances(event.condition(), entry.known()).all().isEmpty();
+  }
+
+  private String end(Optional<Duration> due) {
+    return until.occasion() instanceof Occasion.Event event
+        ? SlPrinter.print(event.condition())
+        : entry.inWords(due.orElseThrow());
+  }
+
+  @Override
+  public void takeUp() {
+    Optional<Duration> due = due();
+    Optional<String> begun = entry.begunBefore().filter(id -> entry.unborn().isEmpty());
+    if (begun.isEmpty() && due.filter(moment -> Due.isMissed(entry, moment)).isEmpty()) {
+      start();
+    } else if (due.filter(moment -> Due.isMissed(entry, moment)).isPresent()) {
+      String end = end(due);
+      begun.ifPresent(id -> entry.followAgain(id, ", until " + end));
+      entry.missed("the end at " + end);
+      entry.end(
+          GoalState.FAILED,
+          "It was to end at %s, when no platform ran; it ends now.".formatted(end),
+          entry.id());
+    } else {
+      entry.followAgain(begun.get(), ", until " + end(due));
+      endAt(begun.get(), due);
+      endIfSo();
+    }
+  }
+
+  @Override
+  public void knowledgeChanged(FactFilter changed) {
+    if (until.occasion() instanceof Occasion.Event event
+        && Instances.interest(event.condition(), entry.vocabulary()).isConcernedBy(changed)) {
+      endIfSo();
+    }
+  }
+
+  private void endIfSo() {
+    if (isSo()) {
+      entry.followed().ifPresent(id -> ends(id, end(Optional.empty())));
+    }
+  }
+
+  private void ends(String id, String end) {
+    boolean isKept = entry.isHolding(id);
+    entry.end(
+        isKept ? GoalState.ACHIEVED : GoalState.FAILED,
+        isKept
+            ? "It was kept until " + end + "."
+            : "It was not so when it ended, at or by " + end + ".",
+        entry.id() + ", since it was wanted until " + end);
+  }
+}
