@@ -15,8 +15,10 @@ import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
+import org.maestro.coordination.api.JournalEntry;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 
 /** What waits for a time or an event does so after a restart of the coordinator, too. */
 class AgendaRestartTest {
@@ -78,6 +80,16 @@ class AgendaRestartTest {
     assertThat(goals()).hasSize(2);
     restart();
     assertThat(goals()).as("what is over stays over").hasSize(2);
+  }
+
+  /** Clocks of one life and the next differ by parts of a second, and 01:05 is to come once. */
+  @Test
+  void whatClocksOnTheWallShowIsNotedAsSuch() {
+    submit("(at \"01:05\" :every \"day\" (= (level lamp-b1) 0.5))");
+
+    assertThat(house.recovery().goals().get(0).memory().notes())
+        .extracting(JournalEntry.Noted::value)
+        .containsExactly(Optional.of(new Term.Text("2026-01-01T00:05:00Z")));
   }
 
   /** It came when the platform was there again, and its devices were not. */

@@ -5,20 +5,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.maestro.sl.Formula;
-import org.maestro.sl.Occasion;
 
 /** Begins its goal at a time of each day, or of some days of the week, until it is cancelled. */
 final class Again implements Vigil {
-  private static final String NEXT = "2";
   private static final int MOST_TOLD = 5;
 
   private final Entry entry;
-  private final Occasion.At at;
+  private final Due due;
   private final Formula goal;
 
-  Again(Entry entry, Occasion.At at, Formula goal) {
+  Again(Entry entry, Due due, Formula goal) {
     this.entry = entry;
-    this.at = at;
+    this.due = due;
     this.goal = goal;
   }
 
@@ -27,13 +25,9 @@ final class Again implements Vigil {
     awaitNext(entry.statedAt());
   }
 
-  private Timetable times() {
-    return new Timetable(at, entry.zone());
-  }
-
   private void awaitNext(Duration after) {
-    Duration next = entry.onClock(times().next(entry.instant(after)).orElseThrow());
-    entry.noteTime(NEXT, next);
+    Duration next = due.after(after).orElseThrow();
+    due.note(next);
     await(next);
   }
 
@@ -50,20 +44,15 @@ final class Again implements Vigil {
 
   @Override
   public void takeUp() {
-    Optional<Duration> noted = Due.noted(entry, NEXT);
+    Optional<Duration> noted = due.noted();
     if (noted.isEmpty()) {
       start();
       return;
     }
     entry.unborn().ifPresent(id -> entry.missed("what was to be begun as " + id));
-    if (Due.isMissed(entry, noted.get())) {
+    if (due.isMissed(noted.get())) {
       Duration back = entry.back().orElseThrow();
-      entry.missed(
-          told(
-              times().between(entry.instant(noted.get()), entry.instant(back)).stream()
-                  .map(entry::onClock)
-                  .map(entry::inWords)
-                  .toList()));
+      entry.missed(told(due.between(noted.get(), back).stream().map(entry::inWords).toList()));
       awaitNext(back);
     } else {
       await(noted.get());

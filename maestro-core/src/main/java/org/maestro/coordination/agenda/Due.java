@@ -1,32 +1,67 @@
 package org.maestro.coordination.agenda;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.sl.Occasion;
+import org.maestro.sl.Term;
 
-/** When an occasion that is a time comes, on the coordinator's clock. */
-interface Due {
+/** The times at which an occasion comes that is no event, on the coordinator's clock. */
+final class Due {
+  private static final String NOTED = "2";
 
-  /** The first time after that; empty when there is none. */
-  Optional<Duration> after(Duration moment);
+  private final Occasion occasion;
+  private final Entry entry;
 
-  static Due of(Occasion occasion, Entry entry) {
-    if (occasion instanceof Occasion.After after) {
-      Duration wait = Duration.ofMillis(Math.round(after.seconds() * 1000));
-      return moment -> Optional.of(moment.plus(wait));
-    }
-    Timetable times = new Timetable((Occasion.At) occasion, entry.zone());
-    return moment -> times.next(entry.instant(moment)).map(entry::onClock);
+  Due(Occasion occasion, Entry entry) {
+    this.occasion = occasion;
+    this.entry = entry;
   }
 
-  /** The time that was noted before a restart. */
-  static Optional<Duration> noted(Entry entry, String path) {
-    return entry.note(path).flatMap(JournalEntry.Noted::until);
+  /** The first one after that; empty when there is none. */
+  Optional<Duration> after(Duration moment) {
+    if (occasion instanceof Occasion.After after) {
+      return Optional.of(moment.plusMillis(Math.round(after.seconds() * 1000)));
+    }
+    return new Timetable((Occasion.At) occasion, entry.zone())
+        .next(entry.instant(moment))
+        .map(entry::onClock);
+  }
+
+  /** All from the first one on, before the second. */
+  List<Duration> between(Duration first, Duration before) {
+    List<Duration> moments = new ArrayList<>();
+    for (Optional<Duration> next = Optional.of(first);
+        next.isPresent() && next.get().compareTo(before) < 0;
+        next = after(next.get())) {
+      moments.add(next.get());
+    }
+    return moments;
+  }
+
+  /** It is awaited, also after a restart. */
+  void note(Duration moment) {
+    Term shown = new Term.Text(entry.instant(moment).toString());
+    entry.note(NOTED, Optional.of(shown), Optional.of(moment));
+  }
+
+  /**
+   * The one that was awaited before a restart. What clocks on the wall showed is exact; times on
+   * the coordinator's clock, which another has now, are not.
+   */
+  Optional<Duration> noted() {
+    Optional<JournalEntry.Noted> note = entry.note(NOTED);
+    return occasion instanceof Occasion.After
+        ? note.flatMap(JournalEntry.Noted::until)
+        : note.flatMap(JournalEntry.Noted::value)
+            .map(shown -> entry.onClock(Instant.parse(((Term.Text) shown).value())));
   }
 
   /** Whether it has come while no platform ran. */
-  static boolean isMissed(Entry entry, Duration moment) {
+  boolean isMissed(Duration moment) {
     return entry.back().filter(back -> moment.compareTo(back) < 0).isPresent();
   }
 }

@@ -125,10 +125,6 @@ final class Entry {
     note(path, Optional.of(new Term.Text(text)), Optional.empty());
   }
 
-  void noteTime(String path, Duration time) {
-    note(path, Optional.empty(), Optional.of(time));
-  }
-
   /** Notes that begin so, and have a text. */
   Map<String, String> texts(String pathsBegin) {
     Map<String, String> texts = new LinkedHashMap<>();

@@ -55,10 +55,12 @@ public final class EntryGoal implements GoalOfGoals {
       return new UntilThen(entry, until);
     } else if (bound.occasion() instanceof Occasion.Event event) {
       return new Whenever(entry, event.condition(), bound.goal());
-    } else if (bound.occasion() instanceof Occasion.At at && !at.every().isEmpty()) {
-      return new Again(entry, at, bound.goal());
     }
-    return new Once(entry, Due.of(bound.occasion(), entry), bound.goal());
+    Due due = new Due(bound.occasion(), entry);
+    if (bound.occasion() instanceof Occasion.At at && !at.every().isEmpty()) {
+      return new Again(entry, due, bound.goal());
+    }
+    return new Once(entry, due, bound.goal());
   }
 
   @Override

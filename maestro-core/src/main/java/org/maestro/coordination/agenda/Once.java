@@ -7,8 +7,6 @@ import org.maestro.sl.Formula;
 
 /** Begins its goal at one moment, and ends with it. */
 final class Once implements Vigil {
-  private static final String DUE = "2";
-
   private final Entry entry;
   private final Due due;
   private final Formula goal;
@@ -25,7 +23,7 @@ final class Once implements Vigil {
     if (moment.isEmpty()) {
       entry.end(GoalState.FAILED, "That time was over when it was stated.", "nobody");
     } else {
-      entry.noteTime(DUE, moment.get());
+      due.note(moment.get());
       await(moment.get());
     }
   }
@@ -46,13 +44,13 @@ final class Once implements Vigil {
 
   @Override
   public void takeUp() {
-    Optional<Duration> moment = Due.noted(entry, DUE).or(() -> due.after(entry.statedAt()));
+    Optional<Duration> moment = due.noted().or(() -> due.after(entry.statedAt()));
     Optional<String> begun = entry.begunBefore();
     if (begun.isPresent() && entry.unborn().isEmpty()) {
       entry.followAgain(begun.get(), "");
     } else if (moment.isEmpty()) {
       start();
-    } else if (begun.isPresent() || Due.isMissed(entry, moment.get())) {
+    } else if (begun.isPresent() || due.isMissed(moment.get())) {
       String when = entry.inWords(moment.get());
       entry.missed(when);
       entry.end(

@@ -4,8 +4,6 @@ import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneId;
 import java.time.ZonedDateTime;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.maestro.sl.Occasion;
 
@@ -38,17 +36,6 @@ final class Timetable {
         .map(this::on)
         .filter(moment -> moment.isAfter(after))
         .findFirst();
-  }
-
-  /** All from the first moment on, before the second. */
-  List<Instant> between(Instant first, Instant before) {
-    List<Instant> moments = new ArrayList<>();
-    for (Optional<Instant> next = Optional.of(first);
-        next.isPresent() && next.get().isBefore(before);
-        next = next(next.get())) {
-      moments.add(next.get());
-    }
-    return moments;
   }
 
   private Instant on(LocalDate date) {

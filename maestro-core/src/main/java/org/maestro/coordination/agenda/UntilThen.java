@@ -3,6 +3,7 @@ package org.maestro.coordination.agenda;
 import java.time.Duration;
 import java.util.Optional;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Occasion;
@@ -10,14 +11,14 @@ import org.maestro.sl.SlPrinter;
 
 /** Begins its goal at once, and ends it at a time, or when a condition is known to hold. */
 final class UntilThen implements Vigil {
-  private static final String DUE = "2";
-
   private final Entry entry;
   private final Formula.Until until;
+  private final Due times;
 
   UntilThen(Entry entry, Formula.Until until) {
     this.entry = entry;
     this.until = until;
+    this.times = new Due(until.occasion(), entry);
   }
 
   @Override
@@ -28,7 +29,7 @@ final class UntilThen implements Vigil {
     } else if (isSo()) {
       entry.end(GoalState.FAILED, "It is so already that " + end(due) + ".", "nobody");
     } else {
-      due.ifPresent(moment -> entry.noteTime(DUE, moment));
+      due.ifPresent(times::note);
       String id =
           entry.begin(
               until.goal(), "until " + end(due), why -> entry.end(GoalState.FAILED, why, "nobody"));
@@ -46,9 +47,7 @@ final class UntilThen implements Vigil {
   }
 
   private Optional<Duration> due() {
-    return isEvent()
-        ? Optional.empty()
-        : Due.noted(entry, DUE).or(() -> Due.of(until.occasion(), entry).after(entry.statedAt()));
+    return isEvent() ? Optional.empty() : times.noted().or(() -> times.after(entry.statedAt()));
   }
 
   private boolean isEvent() {
@@ -70,9 +69,9 @@ final class UntilThen implements Vigil {
   public void takeUp() {
     Optional<Duration> due = due();
     Optional<String> begun = entry.begunBefore().filter(id -> entry.unborn().isEmpty());
-    if (begun.isEmpty() && due.filter(moment -> Due.isMissed(entry, moment)).isEmpty()) {
+    if (begun.isEmpty() && due.filter(times::isMissed).isEmpty()) {
       start();
-    } else if (due.filter(moment -> Due.isMissed(entry, moment)).isPresent()) {
+    } else if (due.filter(times::isMissed).isPresent()) {
       String end = end(due);
       begun.ifPresent(id -> entry.followAgain(id, ", until " + end));
       entry.missed("the end at " + end);
@@ -103,6 +102,9 @@ final class UntilThen implements Vigil {
 
   private void ends(String id, String end) {
     boolean isKept = entry.isHolding(id);
+    if (isKept) {
+      entry.tell(StoryEntry.Kind.HELD, "It was kept until " + end + ".");
+    }
     entry.end(
         isKept ? GoalState.ACHIEVED : GoalState.FAILED,
         isKept

@@ -13,6 +13,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -34,9 +35,10 @@ class TimetableTest {
 
   private static List<String> from(String first, String before, String time) {
     Timetable times = daily(time, BERLIN);
-    return times
-        .between(times.next(Instant.parse(first)).orElseThrow(), Instant.parse(before))
-        .stream()
+    return Stream.iterate(
+            times.next(Instant.parse(first)).orElseThrow(),
+            moment -> moment.isBefore(Instant.parse(before)),
+            moment -> times.next(moment).orElseThrow())
         .map(moment -> moment.atZone(BERLIN).toLocalDateTime() + " " + moment)
         .toList();
   }

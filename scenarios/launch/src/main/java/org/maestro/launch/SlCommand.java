@@ -17,6 +17,7 @@ import java.util.function.Supplier;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.ontology.home.WordList;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Outline;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
@@ -122,7 +123,7 @@ final class SlCommand implements Callable<Integer> {
                 "a goal or condition",
                 () -> SlParser.formula(line, fluents),
                 Outline::of,
-                (check, formula) -> check.fault(formula)),
+                SlCommand::fault),
             as(
                 "an effect",
                 () -> SlParser.effect(line, fluents),
@@ -141,6 +142,13 @@ final class SlCommand implements Callable<Integer> {
                 readings.stream()
                     .max(Comparator.comparingInt(reading -> reading.fault().orElseThrow().column()))
                     .orElseThrow());
+  }
+
+  /** Of a goal that is bound, both the goal and what it is bound to. */
+  private static Optional<String> fault(StatementCheck check, Formula formula) {
+    return formula instanceof Formula.Bound
+        ? formula.parts().stream().flatMap(part -> fault(check, part).stream()).findFirst()
+        : check.fault(formula);
   }
 
   private static <T> Reading as(

@@ -215,7 +215,7 @@ class PackageRulesTest {
           .orShould()
           .dependOnClassesThat()
           .resideInAnyPackage(
-              within("allocation", "achievement", "maintenance", "scripts", "worth"));
+              within("allocation", "achievement", "maintenance", "scripts", "worth", "agenda"));
 
   @ArchTest
   static final ArchRule COORDINATIONS_API_KNOWS_NONE_OF_ITS_PARTS =
@@ -255,6 +255,10 @@ class PackageRulesTest {
   @ArchTest
   static final ArchRule SCRIPTS_DO_NOT_KNOW_HOW_GOALS_ARE_HELD =
       inCoordination("scripts", "maintenance", "allocation");
+
+  @ArchTest
+  static final ArchRule WHAT_BEGINS_GOALS_DOES_NOT_KNOW_HOW_THEY_ARE_PURSUED =
+      inCoordination("agenda", "achievement", "maintenance", "allocation", "scripts");
 
   @ArchTest
   static final ArchRule THE_COMMAND_LINE_IS_KNOWN_TO_NOBODY =
