@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -83,6 +84,28 @@ class GuideScriptsTest {
   void theTestOfTheHousekeeperIsTheOneThatIsRun() throws IOException {
     assertThat(Files.readString(Path.of("src/test/java/org/maestro/scenario/HousekeeperTest.java")))
         .contains(block("java"));
+  }
+
+  /** Each of the section is taken on, by a message of an agent, and listed with what it awaits. */
+  @Test
+  void timesAndEventsAreAsTheGuideSays() throws IOException {
+    String guide = Files.readString(GUIDE);
+    List<String> goals =
+        Pattern.compile("^\\./maestro goal '(.*?)'", Pattern.MULTILINE)
+            .matcher(guide.substring(guide.indexOf("## Times and events")))
+            .results()
+            .map(command -> command.group(1))
+            .toList();
+    assertThat(goals).hasSize(7);
+    try (Stage stage = stage("times")) {
+      List<Pursuit> begun =
+          goals.stream().filter(goal -> !goal.startsWith("(until")).map(stage::begin).toList();
+      GoalOutcome outcome = stage.goal("(after 5 (goodNight))");
+
+      MaestroAssertions.assertThat(outcome).isReached();
+      MaestroAssertions.assertThat(stage.world()).hasLampAt("lamp-a1", 0).hasLampAt("lamp-a2", 0);
+      assertThat(begun).hasSize(6);
+    }
   }
 
   @Test
