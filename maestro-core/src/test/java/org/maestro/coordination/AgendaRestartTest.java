@@ -159,6 +159,26 @@ class AgendaRestartTest {
     assertThat(goals().get(1)).isEqualTo("(= (level lamp-b1) 0.25)");
   }
 
+  /** Each has a note of its own, whatever was noted before. */
+  @Test
+  void whatBecomesSoAfterARestartTakesNothingOfWhatIsSoStill() {
+    house.setLevel("lamp-b1", 1);
+    house.setLevel("lamp-b2", 1);
+    submit(BRIGHT.replace("0.25", "0.75"));
+    house.setLevel("lamp-b1", 0);
+    house.clock.run(Duration.ofSeconds(1));
+    restart();
+    house.setLevel("lamp-b3", 1);
+    await(() -> goals().size() == 2);
+    house.setLevel("lamp-b1", 1);
+    await(() -> goals().size() == 3);
+    house.clock.run(Duration.ofSeconds(10));
+    restart();
+
+    assertThat(told()).doesNotContain("Missed");
+    assertThat(goals()).hasSize(3);
+  }
+
   @Test
   void anEventThatNobodyWatchedIsToldAndNotDone() {
     submit(BRIGHT);

@@ -248,11 +248,11 @@ class AgendaTest {
         "(at \"22:30\" (fetsch Cup))|write (fetch ?item - Item), if that is meant",
         "(at \"22:30\" (in Kup zone-a))|Nobody knows a thing named Kup",
         "(whenever (inn ?i zone-c) (fetch ?i))|The condition",
-        "(whenever (in Cup zone-c) (fetch ?i))|?i of the goal stands for nothing, since the"
-            + " condition does not speak of it",
-        "(whenever (in Cup zone-c) (in ?i zone-a))|?i of the goal stands for nothing",
+        "(whenever (in Cup zone-c) (fetch ?i))|The condition says nothing of ?i, which the goal has;"
+            + " write a name in its place.",
+        "(whenever (in Cup zone-c) (in ?i zone-a))|The condition says nothing of ?i",
         "(whenever (> (mass Cup) ?m) (fetch Cup))|The condition leaves the number ?m open",
-        "(whenever (in Cup zone-c) (keep (in Cup zone-a)))|What begins again and again has to end:"
+        "(whenever (in Cup zone-c) (keep (in Cup zone-a)))|What begins again and again has to end;"
             + " write (until \"23:00\" (keep (in Cup zone-a)))",
         "(at \"22:30\" :every \"day\" (at \"23:00\" :every \"day\" (fetch Cup)))|has to end",
         "(at \"22:30\" (fetch zone-a))|zone-a is no Item of this home",

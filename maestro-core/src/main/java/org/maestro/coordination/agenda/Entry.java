@@ -44,8 +44,8 @@ final class Entry {
   private final Ports ports;
   private final ActiveGoals activeGoals;
   private final Beginnings goals;
-  private final List<Clock.Timer> timers = new ArrayList<>();
   private final Map<String, JournalEntry.Noted> notes = new LinkedHashMap<>();
+  private Clock.Timer timer = () -> {};
   private Optional<String> followed = Optional.empty();
   private Optional<Ending> ending = Optional.empty();
   private Optional<Duration> back = Optional.empty();
@@ -125,36 +125,40 @@ final class Entry {
     note(path, Optional.of(new Term.Text(text)), Optional.empty());
   }
 
-  /** Notes that begin so, and have a text. */
-  Map<String, String> texts(String pathsBegin) {
-    Map<String, String> texts = new LinkedHashMap<>();
+  /** The texts that are noted at paths that begin so; empty where something else is. */
+  Map<String, Optional<String>> texts(String pathsBegin) {
+    Map<String, Optional<String>> texts = new LinkedHashMap<>();
     notes.forEach(
         (path, note) -> {
-          if (path.startsWith(pathsBegin) && note.value().orElse(null) instanceof Term.Text text) {
-            texts.put(path, text.value());
+          if (path.startsWith(pathsBegin)) {
+            texts.put(path, text(note));
           }
         });
     return texts;
   }
 
+  private static Optional<String> text(JournalEntry.Noted note) {
+    return note.value()
+        .filter(Term.Text.class::isInstance)
+        .map(value -> ((Term.Text) value).value());
+  }
+
+  /** Looked at then; this takes the place of what was to be looked at before. */
   void at(Duration due, Runnable then) {
-    timers.add(
+    timer.cancel();
+    Runnable unlessEnding =
+        () -> {
+          if (!isEnding()) {
+            then.run();
+          }
+        };
+    timer =
         ports
             .clock()
             .schedule(
                 due.minus(now()),
                 life.id(),
-                () ->
-                    ports
-                        .owner()
-                        .execute(
-                            () ->
-                                activeGoals.run(
-                                    () -> {
-                                      if (!isEnding()) {
-                                        then.run();
-                                      }
-                                    }))));
+                () -> ports.owner().execute(() -> activeGoals.run(unlessEnding)));
   }
 
   boolean isEnding() {
@@ -184,7 +188,7 @@ final class Entry {
 
   /** The last goal that was to be begun before the restart. */
   Optional<String> begunBefore() {
-    return texts(BEGUN).values().stream().findFirst();
+    return note(BEGUN).flatMap(Entry::text);
   }
 
   /**
@@ -283,7 +287,7 @@ final class Entry {
 
   private void end(
       GoalState how, boolean confirmed, Map<String, Term> binding, List<String> reasons) {
-    timers.forEach(Clock.Timer::cancel);
+    timer.cancel();
     life.become(GoalPhase.ENDING);
     life.end(how, confirmed, binding, reasons);
     activeGoals.leave(life.id());

@@ -1,7 +1,10 @@
 package org.maestro.coordination.agenda;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.Collection;
+import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -38,6 +41,10 @@ final class Whenever implements Vigil {
   private final Formula goal;
   private final Edges<Formula> edges = new Edges<>();
   private final Map<Formula, String> paths = new HashMap<>();
+
+  /** Of what was so once, before a restart. */
+  private final Deque<String> free = new ArrayDeque<>();
+
   private final Map<Formula, Duration> lately = new LinkedHashMap<>();
   private boolean isWatching;
 
@@ -76,7 +83,9 @@ final class Whenever implements Vigil {
     entry
         .texts(SO)
         .forEach(
-            (path, text) -> paths.put(SlParser.formula(text, entry.vocabulary()::isFluent), path));
+            (path, text) ->
+                text.map(so -> SlParser.formula(so, entry.vocabulary()::isFluent))
+                    .ifPresentOrElse(so -> paths.put(so, path), () -> free.add(path)));
     edges.resume(paths.keySet());
     entry.unborn().ifPresent(id -> entry.missed("what was to be begun as " + id));
     entry.awaits(SlPrinter.print(condition) + " to become so");
@@ -114,7 +123,7 @@ final class Whenever implements Vigil {
     Map<Formula, Substitution> holding = instances().all();
     List<Formula> become = edges.look(holding.keySet(), instances()::truth);
     List<Formula> begun = become.stream().filter(one -> !lately.containsKey(one)).toList();
-    become.stream().filter(lately::containsKey).forEach(this::putOff);
+    putOff(become.stream().filter(lately::containsKey).toList());
     writeDown(before);
     for (Formula one : begun) {
       lately.put(one, now);
@@ -127,10 +136,12 @@ final class Whenever implements Vigil {
     }
   }
 
-  private void putOff(Formula one) {
-    edges.putOff(one);
-    Duration due = Optional.ofNullable(lately.get(one)).orElseThrow().plus(BETWEEN);
-    entry.at(due, this::look);
+  private void putOff(List<Formula> tooSoon) {
+    tooSoon.forEach(edges::putOff);
+    tooSoon.stream()
+        .flatMap(one -> Optional.ofNullable(lately.get(one)).stream())
+        .min(Comparator.naturalOrder())
+        .ifPresent(begun -> entry.at(begun.plus(BETWEEN), this::look));
   }
 
   /** What is so now and was not, or the other way round. */
@@ -145,7 +156,8 @@ final class Whenever implements Vigil {
   }
 
   private String path(Formula one) {
-    return paths.computeIfAbsent(one, another -> SO + (paths.size() + 1));
+    return paths.computeIfAbsent(
+        one, another -> free.isEmpty() ? SO + (paths.size() + 1) : free.removeFirst());
   }
 
   private static String told(Collection<Formula> instances) {

@@ -42,9 +42,8 @@ final class BoundGoalCheck {
     }
     if (bound instanceof Formula.Upon && isRepeated(bound.occasion()) && isEndless(bound.goal())) {
       throw new InvalidGoalException(
-          "What begins again and again has to end: write (until \"23:00\" %s), with a time or a"
-                  .formatted(SlPrinter.print(bound.goal()))
-              + " condition of yours.");
+          "What begins again and again has to end; write (until \"23:00\" %s), or another end."
+              .formatted(SlPrinter.print(bound.goal())));
     }
     Optional<Set<String>> inside =
         bound instanceof Formula.Upon && isEvent ? Optional.of(variables) : given;
@@ -80,9 +79,8 @@ final class BoundGoalCheck {
         .ifPresent(
             open -> {
               throw new InvalidGoalException(
-                  "?%s of the goal stands for nothing, since the condition does not speak of it; use it"
-                          .formatted(open)
-                      + " there, or write a name.");
+                  "The condition says nothing of ?%s, which the goal has; write a name in its place."
+                      .formatted(open));
             });
   }
 
