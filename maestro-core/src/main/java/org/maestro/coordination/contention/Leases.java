@@ -101,8 +101,8 @@ public final class Leases {
   }
 
   /** Whether both are the same, or one is pursued for a step of the other. */
-  private static boolean isOne(String goal, String other) {
-    return goal.equals(other) || GoalId.isWithin(goal, other) || GoalId.isWithin(other, goal);
+  private static boolean isOne(String one, String another) {
+    return one.equals(another) || GoalId.isWithin(one, another) || GoalId.isWithin(another, one);
   }
 
   /** Nobody is overtaken by one who comes later and has nothing yet. */
