@@ -96,6 +96,7 @@ class StatedPropertiesTest {
       home:north-window a maestro:Window ; maestro:glassFrom "1 4 1" ; maestro:glassTo "3 4 2" .
       home:dock a :ChargingStation ; maestro:referencePoint "1 3.4 0" .
       home:Cup a :Item ; :colour "green" ; :size "0.07 0.07 0.1" ; :mass 0.2 .
+      home:Ada a :Person ; :colour "blue" ; :size "0.5 0.5 1.2" .
       home:light a :Lamp ; maestro:pose "2 2 2.4" ; maestro:luminousIntensity 600 ;
         maestro:beamAngle 150 ; :power 5 .
       """;
@@ -298,6 +299,9 @@ class StatedPropertiesTest {
       text.append("<#probe> scene:opening 0.5 .\n");
     } else {
       text.append("<#light> scene:level 1.0 .\n<#west> scene:ambientLux 20 .\n");
+    }
+    if (probe.individual().classes().contains("PresenceSensor")) {
+      text.append("<#Ada> scene:position \"2 1 0\" ; scene:radius 0.25 .\n");
     }
     if (probe.individual().classes().contains("Door")) {
       text.append("<#probe> scene:open false .\n");
