@@ -108,10 +108,12 @@ public final class GoalStory {
       Collection<String> busy, double waitSeconds, double cheapest, double chosen) {
     tell(
         StoryEntry.Kind.PLAN,
-        "The plan of cost %s would wait %s seconds or so for %s; with what is free it costs %s."
+        "The plan of cost %s would wait %s for %s; with what is free it costs %s."
             .formatted(
                 Sentences.number(cheapest),
-                Sentences.number(waitSeconds),
+                Double.isInfinite(waitSeconds)
+                    ? "nobody knows how long"
+                    : Sentences.number(waitSeconds) + " seconds or so",
                 String.join(", ", busy),
                 Sentences.number(chosen)));
   }

@@ -82,8 +82,8 @@ class OutsideProjectTest {
     Process maven =
         new ProcessBuilder(
                 Path.of(System.getProperty("maestro.maven"), "bin", "mvn").toString(),
-                "-o",
                 "-B",
+                "-ntp",
                 "-Dmaven.repo.local=" + repository,
                 "-Dmaven.test.failure.ignore",
                 "-DtrimStackTrace=false",
