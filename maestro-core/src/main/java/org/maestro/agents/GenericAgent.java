@@ -261,6 +261,17 @@ public final class GenericAgent extends MaestroAgent {
                 message,
                 ACLMessage.REQUEST,
                 () -> door.allowed(message, words, proxy -> proxy.prices().cost(message, words)));
+        case "want" ->
+            door.when(
+                message,
+                ACLMessage.REQUEST,
+                () -> door.mayUse(message, words, its -> its.arbitration().want(message, words)));
+        case "give-back" ->
+            door.when(
+                message,
+                ACLMessage.REQUEST,
+                () ->
+                    door.asked(message, words, its -> its.arbitration().giveBack(message, words)));
         case "describe" -> door.when(message, ACLMessage.REQUEST, () -> describe(message, words));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> door.when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
@@ -276,7 +287,8 @@ public final class GenericAgent extends MaestroAgent {
                 getLocalName()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows perform, cost, describe, cancel, subscribe and query-ref.");
+                    + "; it knows perform, cost, want, give-back, describe, cancel, subscribe and"
+                    + " query-ref.");
       }
     }
   }

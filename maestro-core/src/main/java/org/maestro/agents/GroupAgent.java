@@ -159,6 +159,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       Words words = Words.of(content);
       switch (content.operator()) {
         case "inform" -> memberNews(message, words);
+        case "yield" -> goals.yield(message, words);
         case "cancel" -> new OwnGoalRequests(this, goals).cancel(message, words);
         case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();
@@ -169,7 +170,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
                 group.id()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows inform, cancel, query-ref and subscribe.");
+                    + "; it knows inform, yield, cancel, query-ref and subscribe.");
       }
     }
   }

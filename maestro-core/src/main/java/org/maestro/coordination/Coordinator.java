@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.achievement.AchievementGoal;
 import org.maestro.coordination.achievement.CallGoal;
@@ -16,6 +17,7 @@ import org.maestro.coordination.achievement.FeatureCall;
 import org.maestro.coordination.agenda.Beginnings;
 import org.maestro.coordination.agenda.EntryGoal;
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
@@ -102,7 +104,8 @@ public final class Coordinator {
             ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
     this.ports = ports.with(dispatcher);
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
-    this.activeGoals = new ActiveGoals(ports.clock(), ports.owner(), appraisals);
+    this.activeGoals =
+        new ActiveGoals(ports.clock(), ports.owner(), appraisals, ports.dispatcher());
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
@@ -426,6 +429,7 @@ public final class Coordinator {
     comeback.present(member);
     activeGoals.run(
         () -> {
+          activeGoals.otherManagers().forget(member);
           activeGoals.all().forEach(pursuit -> pursuit.memberPresent(member));
           activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
         });
@@ -452,7 +456,11 @@ public final class Coordinator {
   public void memberTrusted(String member) {
     if (roster.trust(member)) {
       comeback.present(member);
-      activeGoals.run(() -> activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member)));
+      activeGoals.run(
+          () -> {
+            activeGoals.otherManagers().forget(member);
+            activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
+          });
     }
   }
 
@@ -472,6 +480,7 @@ public final class Coordinator {
     activeGoals.run(
         () -> {
           activeGoals.leases().lost(member);
+          activeGoals.otherManagers().forget(member);
           activeGoals.all().forEach(pursuit -> pursuit.memberLost(member));
           activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
         });
@@ -497,6 +506,21 @@ public final class Coordinator {
   public void givenBack(String goalId, String member, String feature, String reason) {
     activeGoals.run(
         () -> underway(goalId).ifPresent(pursuit -> pursuit.givenBack(member, feature, reason)));
+  }
+
+  /** A goal of another manager wants parts of a member that goals of this one may have. */
+  public void wantedElsewhere(ComponentWant want) {
+    activeGoals.otherManagers().want(want);
+  }
+
+  /** That goal wants nothing of the member any more. */
+  public void wantedNoMore(String goalId, String member) {
+    activeGoals.otherManagers().wantNoMore(goalId, member);
+  }
+
+  /** Another manager has given these parts of the member back, for goals of this one. */
+  public void gotComponents(String member, Set<String> components) {
+    activeGoals.otherManagers().gave(member, components);
   }
 
   public void knowledgeChanged(KnowledgeBase.Change change) {

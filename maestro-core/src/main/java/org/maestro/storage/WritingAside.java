@@ -9,8 +9,8 @@ import org.slf4j.LoggerFactory;
 /**
  * Writes what may be missing, such as stories, on a thread of its own and in the order in which it
  * comes: a slow disk holds nobody up. What the disk refuses, and what comes while too many bytes
- * wait, is left away; that is told once, and that it is over. So is, without a word, what comes after
- * its end. Any thread may use it.
+ * wait, is left away; that is told once, and that it is over. So is, without a word, what comes
+ * after its end. Any thread may use it.
  */
 public final class WritingAside implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(WritingAside.class);

@@ -90,7 +90,7 @@ public final class NarrowHouse implements ActionDispatcher {
   }
 
   /** Nothing goes round for ever without anybody noticing. */
-  private void note(StoryEntry entry) {
+  void note(StoryEntry entry) {
     story.add(
         "%6.2f %s %s %s"
             .formatted(entry.at().toMillis() / 1000.0, entry.goalId(), entry.kind(), entry.text()));
@@ -147,6 +147,11 @@ public final class NarrowHouse implements ActionDispatcher {
     dead.add(robot);
     busy.values().removeIf(robot::equals);
     coordinator.memberLost(robot, "no power");
+  }
+
+  boolean isBusy(Step step) {
+    return step.feature().occupies().stream()
+        .anyMatch(component -> busy.containsKey(step.member() + " " + component));
   }
 
   private static double seconds(String procedure) {

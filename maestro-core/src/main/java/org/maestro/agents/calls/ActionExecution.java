@@ -12,6 +12,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import org.maestro.agents.content.AccountWords;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.content.ArbitrationWords;
 import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
@@ -19,6 +20,7 @@ import org.maestro.agents.negotiation.OrderUnderway;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
+import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.members.CallReporter;
 import org.maestro.members.MemberNews;
 import org.maestro.members.MemberOrders;
@@ -46,6 +48,7 @@ public final class ActionExecution {
   private final MemberNews news;
   private final MemberOrders orders;
   private final FormerCalls formerCalls;
+  private final Arbitration arbitration;
   private final Map<String, RatsLink.CallHandle> handles = new TreeMap<>();
   private final Map<String, Runnable> abandoned = new TreeMap<>();
 
@@ -54,6 +57,7 @@ public final class ActionExecution {
 
   /**
    * @param formerCalls what is known of calls before the agent came here
+   * @param arbitration who may use what of the member
    */
   public ActionExecution(
       MaestroAgent agent,
@@ -62,7 +66,8 @@ public final class ActionExecution {
       MemberView view,
       MemberNews news,
       MemberOrders orders,
-      FormerCalls formerCalls) {
+      FormerCalls formerCalls,
+      Arbitration arbitration) {
     this.agent = agent;
     this.member = member;
     this.link = link;
@@ -70,6 +75,7 @@ public final class ActionExecution {
     this.news = news;
     this.orders = orders;
     this.formerCalls = formerCalls;
+    this.arbitration = arbitration;
   }
 
   /** A call is known again only in the same life of the member, from the same caller. */
@@ -110,6 +116,11 @@ public final class ActionExecution {
       agent.refuse(message, ACLMessage.REFUSE, member + " was started again since it was asked");
       return;
     }
+    Optional<HeldElsewhere> other = heldElsewhere(message, words, feature.get());
+    if (other.isPresent()) {
+      agent.reply(message, ACLMessage.REFUSE, ArbitrationWords.held(other.get(), member));
+      return;
+    }
     Map<String, Argument> arguments =
         words.find("parameters").map(Orders::arguments).orElse(Map.of());
     if (words.string("goal").isEmpty() && Pointers.areMissing(feature.get(), arguments)) {
@@ -122,6 +133,15 @@ public final class ActionExecution {
     } else {
       agreed(message, words, feature.get(), arguments);
     }
+  }
+
+  /** Who orders something for no goal, by hand, asks nobody. */
+  private Optional<HeldElsewhere> heldElsewhere(
+      ACLMessage message, Words words, FeatureType feature) {
+    return words
+        .string("goal")
+        .filter(goal -> words.string("ends").isEmpty())
+        .flatMap(goal -> arbitration.use(message.getSender(), goal, feature));
   }
 
   private boolean isOfThisLife(Words words) {
@@ -356,6 +376,9 @@ public final class ActionExecution {
 
     @Override
     public void over() {
+      if (order.goal().isPresent() && !order.ends()) {
+        arbitration.used(order.feature());
+      }
       handles.remove(conversation);
       abandoned.remove(conversation);
     }

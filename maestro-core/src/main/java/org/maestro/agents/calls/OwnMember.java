@@ -3,11 +3,15 @@ package org.maestro.agents.calls;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallForPrices;
+import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.ContractNet;
+import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.coordination.api.Proposal;
 import org.maestro.members.MemberOrders;
 import org.maestro.planning.api.Step;
@@ -20,12 +24,24 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
   private final String member;
   private final MemberOrders orders;
   private final ActionExecution actions;
+  private final Arbitration arbitration;
+  private final Executor later;
   private int calls;
 
-  public OwnMember(String member, MemberOrders orders, ActionExecution actions) {
+  /**
+   * @param later has the agent's thread do something soon
+   */
+  public OwnMember(
+      String member,
+      MemberOrders orders,
+      ActionExecution actions,
+      Arbitration arbitration,
+      Executor later) {
     this.member = member;
     this.orders = orders;
     this.actions = actions;
+    this.arbitration = arbitration;
+    this.later = later;
   }
 
   @Override
@@ -50,6 +66,18 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
 
   @Override
   public Handle perform(Request order, Consumer<Report> reported) {
+    Optional<HeldElsewhere> other =
+        order.ends()
+            ? Optional.empty()
+            : arbitration.useOwn(order.goalId(), order.step().feature());
+    if (other.isPresent()) {
+      later.execute(
+          () ->
+              reported.accept(
+                  Report.held(
+                      other.get(), other.get().manager() + " has what it needs of " + member)));
+      return () -> {};
+    }
     return actions.begin(
             "own-" + ++calls,
             new MemberOrders.Order(
@@ -64,6 +92,21 @@ public final class OwnMember implements ContractNet, ActionDispatcher {
             Optional.empty(),
             (outcome, report) -> reported.accept(report))
         ::cancel;
+  }
+
+  @Override
+  public void want(ComponentWant want) {
+    arbitration.wantOwn(want);
+  }
+
+  @Override
+  public void wantNoMore(String goalId, String whose) {
+    arbitration.wantOwnNoMore(goalId);
+  }
+
+  @Override
+  public void giveBack(String whose, Set<String> components) {
+    arbitration.giveBackOwn(components);
   }
 
   @Override

@@ -6,13 +6,18 @@ import org.maestro.coordination.api.Takeover;
 /**
  * The messages that keep the holder of a contract informed while an agent's member is at it: {@code
  * (inform (:member rose) (:feature pick) (:goal G1) (:offer tim) (:cost 4) (:seconds 4))}, or that
- * it comes back by {@code (:release "...")}, or that it is at it still by {@code (:alive true)}.
+ * it comes back by {@code (:release "...")}, or that it is at it still by {@code (:alive true)};
+ * and what becomes of what it wanted that others had ({@link ArbitrationWords}).
  */
 public final class ContractWords {
 
   private ContractWords() {}
 
   public static boolean areIn(Words words) {
+    return ArbitrationWords.areIn(words) || areOfAStep(words);
+  }
+
+  private static boolean areOfAStep(Words words) {
     return words.string("goal").isPresent()
         && words.string("feature").isPresent()
         && (words.string("offer").isPresent()
@@ -21,6 +26,10 @@ public final class ContractWords {
   }
 
   public static void tell(Words words, Coordinator coordinator) {
+    if (ArbitrationWords.areIn(words)) {
+      ArbitrationWords.tell(words, coordinator);
+      return;
+    }
     String goal = words.string("goal").orElseThrow();
     String member = words.string("member").orElse("");
     String feature = words.string("feature").orElseThrow();

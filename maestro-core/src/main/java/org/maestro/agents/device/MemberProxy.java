@@ -4,7 +4,9 @@ import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.agents.calls.ActionExecution;
+import org.maestro.agents.calls.Arbitration;
 import org.maestro.agents.calls.FormerCalls;
 import org.maestro.agents.calls.OwnMember;
 import org.maestro.agents.calls.PriceQuestions;
@@ -58,6 +60,7 @@ public final class MemberProxy implements MemberNews.Listener {
   private final MemberNews news;
   private final MemberOrders orders;
   private final ActionExecution actions;
+  private final Arbitration arbitration;
   private final PriceQuestions prices;
   private final Optional<OwnGoals> goals;
   private Optional<String> configured;
@@ -87,9 +90,12 @@ public final class MemberProxy implements MemberNews.Listener {
     this.news = new MemberNews(member, view, this::read, this);
     this.orders =
         new MemberOrders(member, here.link(), view, agent::tell, here.time().clock(), this::say);
-    this.actions = new ActionExecution(agent, member, here.link(), view, news, orders, formerCalls);
+    this.arbitration = new Arbitration(agent, member);
+    this.actions =
+        new ActionExecution(
+            agent, member, here.link(), view, news, orders, formerCalls, arbitration);
     this.prices = new PriceQuestions(agent, orders);
-    OwnMember own = new OwnMember(member, orders, actions);
+    OwnMember own = new OwnMember(member, orders, actions, arbitration, agent::tell);
     this.goals =
         here.mind()
             .map(
@@ -103,6 +109,7 @@ public final class MemberProxy implements MemberNews.Listener {
                         here.past(),
                         member::equals,
                         Optional.of(own)));
+    goals.ifPresent(its -> arbitration.ownManager(its::yield, its::heard));
   }
 
   /** What the agent is configured with goes before what the member says of itself. */
@@ -144,6 +151,24 @@ public final class MemberProxy implements MemberNews.Listener {
 
   public ActionExecution actions() {
     return actions;
+  }
+
+  /** Who may use what of the member, where several managers of goals want it. */
+  public Arbitration arbitration() {
+    return arbitration;
+  }
+
+  /**
+   * Why who asks may not stand in the queue for these components: none of the features that use
+   * them is for it; empty when one is.
+   */
+  public Optional<String> objectionToUse(ACLMessage message, Words words, Set<String> components) {
+    return view.device().stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.occupies().stream().anyMatch(components::contains))
+        .map(feature -> objection(message, words, feature.name()))
+        .reduce((one, other) -> one.isEmpty() ? one : other)
+        .orElse(Optional.empty());
   }
 
   public PriceQuestions prices() {

@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Words;
@@ -60,6 +61,16 @@ public final class RequestGuard {
   /** Only who may ask for the feature is answered (ADE, 3.1; A28). */
   public void allowed(ACLMessage message, Words words, Consumer<MemberProxy> deed) {
     objection(message, words, words.string("feature").orElse(""))
+        .ifPresentOrElse(
+            reason -> agent.refuse(message, ACLMessage.REFUSE, reason),
+            () -> asked(message, words, deed));
+  }
+
+  /** Only who may have components used stands in the queue for them. */
+  public void mayUse(ACLMessage message, Words words, Consumer<MemberProxy> deed) {
+    Set<String> components = Set.copyOf(words.strings("components"));
+    proxy(words)
+        .flatMap(proxy -> proxy.objectionToUse(message, words, components))
         .ifPresentOrElse(
             reason -> agent.refuse(message, ACLMessage.REFUSE, reason),
             () -> asked(message, words, deed));

@@ -1,6 +1,7 @@
 package org.maestro.agents.goals;
 
 import jade.core.AID;
+import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
@@ -10,6 +11,8 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.calls.OwnMember;
+import org.maestro.agents.content.ArbitrationWords;
+import org.maestro.agents.content.Words;
 import org.maestro.agents.negotiation.AclActionDispatcher;
 import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Clients;
@@ -20,6 +23,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.PlanningThread;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.Ports;
@@ -169,6 +173,26 @@ public final class Deliberation {
   public void memberLost(String member, String reason) {
     coordinator.memberLost(member, reason);
     dispatcher.memberLost(member);
+  }
+
+  /** A member's agent asks for what a goal of another manager wants of the member (A94). */
+  public void yield(ACLMessage message, Words words) {
+    String sender = message.getSender().getLocalName();
+    Optional<ComponentWant> want =
+        ArbitrationWords.want(words).filter(w -> membersOf(sender).contains(w.member()));
+    if (want.isEmpty()) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          "Only a member's own agent has a manager give back what it has of that member: "
+              + ArbitrationWords.YIELD_EXAMPLE);
+      return;
+    }
+    agent.reply(
+        message,
+        ACLMessage.INFORM,
+        Words.content("inform", Words.named("heard", Words.name(want.get().goalId()))));
+    coordinator.wantedElsewhere(want.get());
   }
 
   /** Its agent gives no sign of life: nothing is asked of it until it does, or is lost. */

@@ -16,6 +16,7 @@ import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
@@ -125,6 +126,16 @@ public final class OwnGoals {
   /** News of what is under way for one of them. */
   public void heard(Words words) {
     ContractWords.tell(words, deliberation.coordinator());
+  }
+
+  /** A member's agent asks for what a goal of another manager wants of the member. */
+  public void yield(ACLMessage message, Words words) {
+    deliberation.yield(message, words);
+  }
+
+  /** The same of the agent's own member. */
+  public void yield(ComponentWant want) {
+    deliberation.coordinator().wantedElsewhere(want);
   }
 
   private void pursue(Formula goal) {

@@ -7,13 +7,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.maestro.agents.content.ArbitrationWords;
 import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.ComponentWant;
+import org.maestro.sl.Content;
 
 /**
  * Orders to the generic agents by FIPA request, once it is known that they hold their part. Every
@@ -83,6 +87,28 @@ public final class AclActionDispatcher implements ActionDispatcher {
                         receiver,
                         Orders.callOff(
                             call, agent.getLocalName(), member, receiver.getLocalName()))));
+  }
+
+  @Override
+  public void want(ComponentWant want) {
+    request(want.member(), ArbitrationWords.want(want));
+  }
+
+  @Override
+  public void wantNoMore(String goalId, String member) {
+    request(member, ArbitrationWords.wantNoMore(goalId, member));
+  }
+
+  @Override
+  public void giveBack(String member, Set<String> components) {
+    request(member, ArbitrationWords.giveBack(member, components));
+  }
+
+  /** A member that has no agent now is asked anew when it has one. */
+  private void request(String member, Content words) {
+    agentOf
+        .apply(member)
+        .ifPresent(receiver -> agent.send(agent.message(ACLMessage.REQUEST, receiver, words)));
   }
 
   @Override

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.agents.content.AccountWords;
+import org.maestro.agents.content.ArbitrationWords;
 import org.maestro.agents.content.Orders;
 import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
@@ -18,6 +19,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlSyntaxException;
@@ -239,6 +241,23 @@ public final class OrderUnderway implements ActionDispatcher.Handle {
     agent.send(cancel);
   }
 
+  /** The refusal of an order, or the failure of what was ordered. */
+  private static ActionDispatcher.Report notDone(Words words) {
+    Optional<String> problem =
+        words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON);
+    Optional<HeldElsewhere> other = ArbitrationWords.heldBy(words);
+    return other.isPresent()
+        ? ActionDispatcher.Report.held(other.get(), problem.orElseThrow())
+        : new ActionDispatcher.Report(
+            false,
+            Map.of(),
+            problem,
+            refs(words),
+            words.string("begun").filter("false"::equals).isEmpty(),
+            Orders.refusal(words),
+            words.string("unanswered").isPresent());
+  }
+
   private ActionDispatcher.Report read(ACLMessage reply) {
     if (Replies.isFromPlatform(reply)) {
       return failed(member() + " has no agent any more to do " + feature(), List.of());
@@ -250,15 +269,7 @@ public final class OrderUnderway implements ActionDispatcher.Handle {
         case ACLMessage.INFORM ->
             new ActionDispatcher.Report(true, words.termsOf("outputs"), Optional.empty(), List.of())
                 .with(AccountWords.account(words));
-        case ACLMessage.FAILURE, ACLMessage.REFUSE ->
-            new ActionDispatcher.Report(
-                false,
-                Map.of(),
-                words.string("problem").or(() -> words.string("reason")).or(() -> NO_REASON),
-                refs(words),
-                words.string("begun").filter("false"::equals).isEmpty(),
-                Orders.refusal(words),
-                words.string("unanswered").isPresent());
+        case ACLMessage.FAILURE, ACLMessage.REFUSE -> notDone(words);
         default -> misunderstood(reply);
       };
     } catch (SlSyntaxException | NoSuchElementException e) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.maestro.coordination.allocation.ExactPrices;
@@ -13,6 +14,7 @@ import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
@@ -257,9 +259,27 @@ final class PlanFollowing {
     execution.begin(step, plan.remaining());
   }
 
+  /** Another manager has what the step needs: it is begun when it is free. */
+  private void isHeldElsewhere(Step step, HeldElsewhere by) {
+    story.heldElsewhere(step, by);
+    parts
+        .activeGoals()
+        .otherManagers()
+        .have(step.member(), Set.copyOf(step.feature().occupies()), by);
+    if (plan.exists()) {
+      advance();
+    } else if (!course.isPlanning() && underway.isEmpty()) {
+      course.makePlan(Optional.of("what was under way has ended"));
+    }
+  }
+
   private void stepEnded(StepEnd ended) {
     if (!ended.change().facts().isEmpty()) {
       ownChange = ended.change().version();
+    }
+    if (ended.report().heldBy().isPresent()) {
+      isHeldElsewhere(ended.step(), ended.report().heldBy().get());
+      return;
     }
     List<Insistence> insisted = List.of();
     if (ended.report().succeeded()) {

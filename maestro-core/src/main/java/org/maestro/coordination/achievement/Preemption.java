@@ -136,7 +136,7 @@ final class Preemption {
 
   /** Whether it stands back now, as it was asked to, and may without harm. */
   boolean givesWay(Set<Resource> wanted) {
-    Optional<String> to = asked.filter(other -> activeGoals.find(other).isPresent());
+    Optional<String> to = asked.filter(activeGoals::contends);
     List<WaitsFor> contested =
         to.stream()
             .flatMap(other -> activeGoals.leases().waitsOf(other).stream())

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.knowledge.api.FeatureRun;
@@ -57,6 +58,18 @@ public interface ActionDispatcher {
   default List<Request> giveUpOwed(String goalId, Predicate<StepKey> unwanted) {
     return List.of();
   }
+
+  /**
+   * Stands in the queue for parts of a member that another manager has; said again, in the place of
+   * what was said before. A crew that works for one manager only has nothing to do.
+   */
+  default void want(ComponentWant want) {}
+
+  /** The goal wants nothing of the member any more that another manager has. */
+  default void wantNoMore(String goalId, String member) {}
+
+  /** Other managers may have these parts of the member from now on. */
+  default void giveBack(String member, Set<String> components) {}
 
   /**
    * A step to be done now.
@@ -133,6 +146,7 @@ public interface ActionDispatcher {
    * @param refusal the member says that it cannot be done as things are
    * @param unanswered nobody knows what became of it: the member has said nothing, and may be at it
    * @param account what the member said of itself around the step, if somebody has listened
+   * @param heldBy another manager has what the step needs, so that it has its turn later
    */
   record Report(
       boolean succeeded,
@@ -142,7 +156,22 @@ public interface ActionDispatcher {
       boolean begun,
       Optional<Refusal> refusal,
       boolean unanswered,
-      Optional<StepAccount> account) {
+      Optional<StepAccount> account,
+      Optional<HeldElsewhere> heldBy) {
+
+    /** Not begun, as another manager has what the step needs. */
+    public static Report held(HeldElsewhere by, String problem) {
+      return new Report(
+          false,
+          Map.of(),
+          Optional.of(problem),
+          List.of(),
+          false,
+          Optional.empty(),
+          false,
+          Optional.empty(),
+          Optional.of(by));
+    }
 
     public Report(
         boolean succeeded,
@@ -161,7 +190,16 @@ public interface ActionDispatcher {
         boolean begun,
         Optional<Refusal> refusal,
         boolean unanswered) {
-      this(succeeded, outputs, problem, refs, begun, refusal, unanswered, Optional.empty());
+      this(
+          succeeded,
+          outputs,
+          problem,
+          refs,
+          begun,
+          refusal,
+          unanswered,
+          Optional.empty(),
+          Optional.empty());
     }
 
     public Report(
@@ -173,11 +211,13 @@ public interface ActionDispatcher {
     }
 
     public Report with(Optional<String> why, List<FeatureRun.Learnt> reasons) {
-      return new Report(succeeded, outputs, why, reasons, begun, refusal, unanswered, account);
+      return new Report(
+          succeeded, outputs, why, reasons, begun, refusal, unanswered, account, heldBy);
     }
 
     public Report with(Optional<StepAccount> told) {
-      return new Report(succeeded, outputs, problem, refs, begun, refusal, unanswered, told);
+      return new Report(
+          succeeded, outputs, problem, refs, begun, refusal, unanswered, told, heldBy);
     }
   }
 }

@@ -74,6 +74,9 @@ public sealed interface JournalEntry {
   /** Nobody wants the call any more; it is being cancelled. */
   record CalledOff(String goalId, String callId) implements OfGoal {}
 
+  /** The call was not begun, as another manager has what it needs, and has its turn later. */
+  record NotBegun(String goalId, String callId) implements OfGoal {}
+
   /**
    * The call is over.
    *

@@ -55,6 +55,11 @@ public record StepRecord(
     return new StepRecord(step, sentence, start, how, begun, Optional.of(time), why);
   }
 
+  /** It was not begun after all. */
+  public StepRecord waitingAgain() {
+    return new StepRecord(step, sentence, start);
+  }
+
   /** Nothing will come of it. */
   public StepRecord dropped() {
     return new StepRecord(step, sentence, start, State.DROPPED, begun, ended, problem);

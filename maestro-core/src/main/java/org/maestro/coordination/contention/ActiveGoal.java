@@ -19,9 +19,7 @@ import org.maestro.sl.Formula;
  * A goal on its way, to be reached once or to be held, and how others beside it see it. The
  * coordinator's thread only.
  */
-public interface ActiveGoal extends Progress {
-
-  String id();
+public interface ActiveGoal extends Progress, Contender {
 
   void start();
 
@@ -77,32 +75,12 @@ public interface ActiveGoal extends Progress {
     // Only who waits for it has anything to do.
   }
 
-  /** Begins what may begin; what a step waits for may have become free. */
-  void advance();
-
-  /** Steps of this goal that run. */
-  StepsUnderway underway();
-
   /** What is to be kept so is so now. */
   boolean isHolding();
 
   /** What the other's changes would spoil that this goal counts on, if anything. */
   Optional<Formula> countsOn(List<Change> changes, Snapshot now, String other);
 
-  /** Whether the member carries something for this goal. */
-  boolean isTied(String member);
-
-  /** What its plan may yet take. */
-  double remainingSeconds();
-
-  double secondsOfRunningSteps();
-
-  /** Another goes first, and asks for what this one keeps. */
-  void giveWayTo(String other);
-
   /** It rests until the other is over. */
   void standBackFor(String other);
-
-  /** The same, and it lets go even of what it carries. */
-  void stepBackFor(String other);
 }

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.Resource;
@@ -37,14 +38,17 @@ public final class ActiveGoals {
   private final Rush rush;
   private final Experience experience = new Experience();
   private final Appraisals appraisals;
+  private final OtherManagers otherManagers;
   private boolean atWork;
 
   /**
    * @param appraisals of the same goals
+   * @param agents of the members, which are told what is wanted that other managers have
    */
-  public ActiveGoals(Clock clock, Executor owner, Appraisals appraisals) {
+  public ActiveGoals(Clock clock, Executor owner, Appraisals appraisals, ActionDispatcher agents) {
     this.rush = new Rush(clock, owner, this::wake);
     this.appraisals = appraisals;
+    this.otherManagers = new OtherManagers(this, agents, clock, owner);
   }
 
   public Leases leases() {
@@ -57,6 +61,11 @@ public final class ActiveGoals {
 
   public Appraisals appraisals() {
     return appraisals;
+  }
+
+  /** The goals of other managers that contend with these. */
+  public OtherManagers otherManagers() {
+    return otherManagers;
   }
 
   /** What the steps of all of them have shown of members. */
@@ -78,7 +87,7 @@ public final class ActiveGoals {
 
   /** Whether a goal is not over, and the one that stood back for it does not go before it now. */
   public boolean goesOnBefore(String other, String goal) {
-    return find(other).isPresent() && !leases.ownStanding(goal).outranks(leases.ownStanding(other));
+    return contends(other) && !leases.ownStanding(goal).outranks(leases.ownStanding(other));
   }
 
   /** Whether the one that goes first may be the other before long: by what they are worth. */
@@ -118,6 +127,16 @@ public final class ActiveGoals {
     return Optional.ofNullable(pursuits.get(goal));
   }
 
+  /** Whether it is a goal that is not over, or one of another manager that waits for these. */
+  public boolean contends(String goal) {
+    return pursuits.containsKey(goal) || otherManagers.isWaiting(goal);
+  }
+
+  private Optional<Contender> contender(String goal) {
+    Optional<Contender> own = Optional.ofNullable(pursuits.get(goal));
+    return own.or(() -> otherManagers.find(goal));
+  }
+
   /** Those that are not over, oldest first. */
   public List<ActiveGoal> all() {
     return new ArrayList<>(pursuits.values());
@@ -149,10 +168,10 @@ public final class ActiveGoals {
     double longest = 0;
     for (WaitsFor obstacle : obstacles) {
       double seconds =
-          find(obstacle.holder()).map(holder -> secondsOf(goal, holder, obstacle)).orElse(0.0);
+          contender(obstacle.holder()).map(holder -> secondsOf(goal, holder, obstacle)).orElse(0.0);
       for (String other : leases.before(goal, obstacle.resource())) {
         if (!other.equals(obstacle.holder())) {
-          seconds += find(other).map(ActiveGoal::remainingSeconds).orElse(0.0);
+          seconds += contender(other).map(Contender::remainingSeconds).orElse(0.0);
         }
       }
       longest = Math.max(longest, seconds);
@@ -160,7 +179,7 @@ public final class ActiveGoals {
     return longest;
   }
 
-  private double secondsOf(String goal, ActiveGoal holder, WaitsFor obstacle) {
+  private double secondsOf(String goal, Contender holder, WaitsFor obstacle) {
     boolean givesWay =
         leases.standing(goal).outranks(leases.standing(holder.id()))
             && !holder.isTied(obstacle.resource().owner());
@@ -172,19 +191,23 @@ public final class ActiveGoals {
     for (WaitsFor obstacle : obstacles) {
       GoalPriority others = leases.standingWithout(obstacle.holder(), goal);
       if (leases.standing(goal).outranks(others)) {
-        find(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(goal));
+        contender(obstacle.holder()).ifPresent(holder -> holder.giveWayTo(goal));
       }
     }
   }
 
   /** Steps under way may still end a circle; then it is looked at again. */
   public void breakCircle(String goal) {
-    List<ActiveGoal> circle =
-        leases.circle(goal).stream().flatMap(one -> find(one).stream()).toList();
+    List<Contender> circle =
+        leases.circle(goal).stream().flatMap(one -> contender(one).stream()).toList();
     if (circle.isEmpty() || circle.stream().anyMatch(one -> !one.underway().isEmpty())) {
       return;
     }
-    Comparator<ActiveGoal> order = Comparator.comparing(one -> leases.ownStanding(one.id()));
+    boolean isAmongManagers = circle.stream().anyMatch(one -> find(one.id()).isEmpty());
+    Comparator<Contender> order =
+        isAmongManagers
+            ? otherManagers.order()
+            : Comparator.comparing(one -> leases.ownStanding(one.id()));
     String first = circle.stream().min(order).orElseThrow().id();
     circle.stream().max(order).orElseThrow().stepBackFor(first);
   }
@@ -199,6 +222,9 @@ public final class ActiveGoals {
     try {
       while (!errands.isEmpty()) {
         errands.removeFirst().run();
+        if (errands.isEmpty()) {
+          otherManagers.tellWhatIsWanted();
+        }
       }
     } finally {
       atWork = false;
@@ -212,7 +238,7 @@ public final class ActiveGoals {
       run(
           () -> {
             woken.remove(goal);
-            find(goal).ifPresent(ActiveGoal::advance);
+            contender(goal).ifPresent(Contender::advance);
           });
     }
   }

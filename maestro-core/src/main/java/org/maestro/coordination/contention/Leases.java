@@ -111,6 +111,26 @@ public final class Leases {
         .min(Comparator.comparing(other -> standingWithout(other, goal)));
   }
 
+  /** The highest number of a goal that is here. */
+  int latestNumber() {
+    return standings.values().stream().mapToInt(GoalPriority::number).max().orElse(0);
+  }
+
+  /** Who keeps it; nobody while it is held for steps, or a step runs with it. */
+  Optional<String> keeper(Resource resource) {
+    return Optional.ofNullable(keepers.get(resource));
+  }
+
+  /** What the goal waits for; empty when it does not. */
+  Set<Resource> awaited(String goal) {
+    return Optional.ofNullable(waits.get(goal)).map(Wait::wanted).orElse(Set.of());
+  }
+
+  /** The goal has it, whoever kept it before: he will find that out when he looks. */
+  void taken(String goal, Set<Resource> resources) {
+    resources.forEach(resource -> keepers.put(resource, goal));
+  }
+
   /** To be called only when nothing stands in the way. */
   void keep(String goal, Set<Resource> wanted) {
     wanted.forEach(resource -> keepers.put(resource, goal));
@@ -213,7 +233,14 @@ public final class Leases {
    * @param wanted what it stands in the queue for
    */
   public void waitFor(String goal, Set<Resource> wanted, List<WaitsFor> edges) {
-    waits.put(goal, new Wait(Set.copyOf(wanted), List.copyOf(edges)));
+    Wait before = waits.put(goal, new Wait(Set.copyOf(wanted), List.copyOf(edges)));
+    if (before != null && !wanted.containsAll(before.wanted())) {
+      wakeThose(
+          edge ->
+              edge.holder().equals(goal)
+                  && before.wanted().contains(edge.resource())
+                  && !wanted.contains(edge.resource()));
+    }
   }
 
   public void stopWaiting(String goal) {

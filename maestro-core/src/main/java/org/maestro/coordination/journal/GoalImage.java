@@ -99,6 +99,8 @@ final class GoalImage {
       call(established.callId()).ifPresent(call -> call.established = Optional.of(dated));
     } else if (entry instanceof JournalEntry.CalledOff calledOff) {
       call(calledOff.callId()).ifPresent(call -> call.calledOff = Optional.of(dated));
+    } else if (entry instanceof JournalEntry.NotBegun notBegun) {
+      calls.remove(notBegun.callId());
     } else if (entry instanceof JournalEntry.Ended ended) {
       calls.remove(ended.callId());
       lastEnd = Optional.of(dated);

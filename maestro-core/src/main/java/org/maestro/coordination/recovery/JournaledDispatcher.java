@@ -177,11 +177,17 @@ public final class JournaledDispatcher implements ActionDispatcher {
       if (report.unanswered() && !calledOff) {
         owed.put(new Owed(order.goalId(), order.step().key()), order);
       }
-      journal.write(
-          report.succeeded() && order.step().feature().continuous()
-              ? new JournalEntry.Established(order.goalId(), callId())
-              : new JournalEntry.Ended(order.goalId(), callId(), report.problem()));
+      journal.write(end(report));
       reported.accept(report);
+    }
+
+    private JournalEntry end(Report report) {
+      if (report.heldBy().isPresent()) {
+        return new JournalEntry.NotBegun(order.goalId(), callId());
+      }
+      return report.succeeded() && order.step().feature().continuous()
+          ? new JournalEntry.Established(order.goalId(), callId())
+          : new JournalEntry.Ended(order.goalId(), callId(), report.problem());
     }
 
     @Override

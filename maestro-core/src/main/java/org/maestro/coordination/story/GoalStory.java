@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.maestro.coordination.api.BidRecord;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Recovery;
@@ -116,6 +117,15 @@ public final class GoalStory {
                     : Sentences.number(waitSeconds) + " seconds or so",
                 String.join(", ", busy),
                 Sentences.number(chosen)));
+  }
+
+  /** A member's agent has refused a step, as another manager has what it needs. */
+  public void heldElsewhere(Step step, HeldElsewhere by) {
+    plans.notBegun(step);
+    tell(
+        StoryEntry.Kind.WAIT,
+        "Step %d has to wait: %s has what it needs of %s, for %s."
+            .formatted(step.number(), by.manager(), step.member(), by.goalId()));
   }
 
   /** Each thing is told once, until another is waited for. */

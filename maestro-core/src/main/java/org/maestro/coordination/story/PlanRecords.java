@@ -119,6 +119,12 @@ public final class PlanRecords {
     ended(step, State.FAILED, Optional.of(problem));
   }
 
+  /** It waits still. */
+  void notBegun(Step step) {
+    Predicate<StepRecord> same = same(step.key());
+    changeAll(one -> one.state() == State.UNDER_WAY && same.test(one) ? one.waitingAgain() : one);
+  }
+
   void calledOff(Step step) {
     ended(step, State.CALLED_OFF, Optional.empty());
   }

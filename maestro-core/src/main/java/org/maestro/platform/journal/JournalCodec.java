@@ -86,6 +86,8 @@ final class JournalCodec {
       event(line, "established", established.goalId()).put("call", established.callId());
     } else if (entry instanceof JournalEntry.CalledOff calledOff) {
       event(line, "called-off", calledOff.goalId()).put("call", calledOff.callId());
+    } else if (entry instanceof JournalEntry.NotBegun notBegun) {
+      event(line, "not-begun", notBegun.goalId()).put("call", notBegun.callId());
     } else if (entry instanceof JournalEntry.Ended ended) {
       event(line, "ended", ended.goalId()).put("call", ended.callId());
       ended.problem().ifPresent(problem -> line.put("problem", problem));
@@ -229,6 +231,7 @@ final class JournalCodec {
       case "begun" -> readBegun(line, goal, call);
       case "established" -> new JournalEntry.Established(goal, call);
       case "called-off" -> new JournalEntry.CalledOff(goal, call);
+      case "not-begun" -> new JournalEntry.NotBegun(goal, call);
       case "ended" -> new JournalEntry.Ended(goal, call, text(line, "problem"));
       case "over" -> new JournalEntry.Over(readOutcome(line, goal, at, from, to));
       case "came" -> new JournalEntry.MemberCame(line.path("member").asText(), text(line, "life"));
