@@ -18,6 +18,7 @@ import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
 import org.maestro.ontology.home.Group;
 import org.maestro.rats.time.Clock;
@@ -114,8 +115,21 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       started = true;
       start.cancel();
       Substitution self = new Substitution(Self.is(group.id()));
-      goals.pursueOnly(group.pursues().stream().map(self::apply).toList());
+      goals.pursueOnly(group.pursues().stream().map(self::apply).toList(), stakes(self));
     }
+  }
+
+  private Optional<Stakes> stakes(Substitution self) {
+    return group
+        .benefit()
+        .map(
+            benefit ->
+                new Stakes(
+                    self.apply(benefit),
+                    group.chance().orElse(Stakes.USUAL_CHANCE),
+                    group.allowed(),
+                    Stakes.USUAL_URGENCY_FROM,
+                    Stakes.USUAL_URGENCY_TO));
   }
 
   private void callRoll() {

@@ -113,7 +113,10 @@ public final class ComponentArbiter {
     components.forEach(component -> holders.put(component, new HeldElsewhere(manager, goalId)));
   }
 
-  /** A manager wants components for a goal, all at once; in the place of what it wanted for it. */
+  /**
+   * A manager wants components for a goal, all at once; in the place of what it wanted for it. Said
+   * again, it is told to who has them again: who does not hear it is not there.
+   */
   public void want(String manager, ComponentWant want) {
     gone.remove(manager);
     Queued queued =
@@ -138,6 +141,7 @@ public final class ComponentArbiter {
         component ->
             holders.computeIfPresent(
                 component, (c, holder) -> holder.manager().equals(manager) ? null : holder));
+    forgetToldTo(manager);
     settle();
   }
 
@@ -149,18 +153,13 @@ public final class ComponentArbiter {
     gone.add(manager);
     queue.keySet().removeIf(key -> key.manager().equals(manager));
     holders.entrySet().removeIf(this::isLeftBehind);
+    forgetToldTo(manager);
     settle();
   }
 
-  /** Whether somebody wants what another has. */
-  public boolean isContested() {
-    return !queue.isEmpty();
-  }
-
-  /** Tells the holders once more what is wanted: who does not hear it is not there. */
-  public void remind() {
-    queue.values().forEach(queued -> queued.told.clear());
-    settle();
+  /** It is told anew when it has again what others want. */
+  private void forgetToldTo(String manager) {
+    queue.values().forEach(queued -> queued.told.remove(manager));
   }
 
   /** Whoever may have all that it wants gets it, and who has what others want is told. */

@@ -30,16 +30,12 @@ public final class Arbitration {
   private static final Logger LOG = LoggerFactory.getLogger(Arbitration.class);
   private static final Duration ANSWERS_WITHIN = Duration.ofSeconds(5);
 
-  /** So often a holder is reminded, for it to be seen that it is gone. */
-  private static final Duration BETWEEN_REMINDERS = Duration.ofSeconds(10);
-
   private final MaestroAgent agent;
   private final String member;
   private final ComponentArbiter arbiter = new ComponentArbiter(new ByMessages());
   private final Map<String, AID> managers = new TreeMap<>();
   private Consumer<Words> ownGoals = words -> {};
   private Consumer<ComponentWant> ownYields = want -> {};
-  private boolean reminds;
 
   public Arbitration(MaestroAgent agent, String member) {
     this.agent = agent;
@@ -96,12 +92,10 @@ public final class Arbitration {
         .ifPresentOrElse(
             want -> arbiter.want(manager, want),
             () -> words.string("goal").ifPresent(goal -> arbiter.wantNoMore(manager, goal)));
-    remind();
   }
 
   void wantOwn(ComponentWant want) {
     arbiter.want(own(), want);
-    remind();
   }
 
   void wantOwnNoMore(String goalId) {
@@ -118,24 +112,6 @@ public final class Arbitration {
 
   private void giveBack(String manager, Set<String> components) {
     arbiter.giveBack(manager, components);
-  }
-
-  private void remind() {
-    if (!reminds && arbiter.isContested()) {
-      reminds = true;
-      agent
-          .clock()
-          .schedule(
-              agent.patience(BETWEEN_REMINDERS),
-              agent.getLocalName(),
-              () ->
-                  agent.tell(
-                      () -> {
-                        reminds = false;
-                        arbiter.remind();
-                        remind();
-                      }));
-    }
   }
 
   /** The way to the managers; to the agent's own goals there are no messages. */

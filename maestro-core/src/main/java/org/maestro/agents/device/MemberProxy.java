@@ -291,7 +291,9 @@ public final class MemberProxy implements MemberNews.Listener {
         own -> {
           own.memberPresent(member, agent.getAID(), Optional.of(actions.life()));
           Substitution self = new Substitution(Self.is(member));
-          own.pursueOnly(view.device().orElseThrow().pursues().stream().map(self::apply).toList());
+          own.pursueOnly(
+              view.device().orElseThrow().pursues().stream().map(self::apply).toList(),
+              Optional.empty());
         });
   }
 

@@ -26,6 +26,7 @@ import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
@@ -48,9 +49,11 @@ public final class OwnGoals {
   private final Clock clock;
   private final UnmetConditions lacking;
   private final Deliberation deliberation;
+  private final Predicate<String> scripts;
   private final Map<Formula, Own> goals = new LinkedHashMap<>();
   private final Journal journal;
   private final Recovery recovery;
+  private Optional<Stakes> stakes = Optional.empty();
   private boolean takenUp;
   private boolean ended;
 
@@ -71,6 +74,7 @@ public final class OwnGoals {
     this.agent = agent;
     this.name = name;
     this.clock = clock;
+    this.scripts = word -> mind.knowledge().home().scripts().containsKey(word);
     String prefix = name + "-";
     Past own = past.of(prefix);
     this.journal = new AgentJournal(agent, clock, own.journal());
@@ -146,8 +150,13 @@ public final class OwnGoals {
     }
   }
 
-  /** Has only these goals from now on. */
-  public void pursueOnly(List<Formula> wanted) {
+  /**
+   * Has only these goals from now on.
+   *
+   * @param worth of each of them; empty: a script has its own, and others are not weighed
+   */
+  public void pursueOnly(List<Formula> wanted, Optional<Stakes> worth) {
+    stakes = worth;
     takeUp();
     List.copyOf(goals.values()).stream()
         .filter(own -> !wanted.contains(own.goal))
@@ -224,11 +233,12 @@ public final class OwnGoals {
 
     private void submit() {
       attempts++;
+      GoalRequest request = new GoalRequest(goal, name);
       try {
         id =
             deliberation
                 .coordinator()
-                .submit(new GoalRequest(goal, name), this, this::heard, this::over);
+                .submit(stakes.map(request::with).orElse(request), this, this::heard, this::over);
       } catch (InvalidGoalException e) {
         LOG.warn("{} does not pursue its goal: {}", name, e.getMessage());
       }
@@ -265,9 +275,17 @@ public final class OwnGoals {
 
     private void over(GoalOutcome outcome) {
       tellCentre();
-      if (outcome.state() == GoalState.FAILED) {
+      if (outcome.state() == GoalState.FAILED && isScript()) {
+        LOG.info("{} tries {} again in a minute: {}", name, outcome.id(), outcome.reasons());
+        clock.schedule(ASK_AGAIN, name, () -> agent.tell(this::submitAgain));
+      } else if (outcome.state() == GoalState.FAILED) {
         askOthers();
       }
+    }
+
+    /** Its steps are its agent's own; nobody else is asked to do them. */
+    private boolean isScript() {
+      return goal instanceof Formula.Atom atom && scripts.test(atom.predicate());
     }
 
     private boolean isWanting() {

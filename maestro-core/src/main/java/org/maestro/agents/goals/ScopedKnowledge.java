@@ -18,15 +18,7 @@ final class ScopedKnowledge extends ForwardingKnowledge {
     static Part of(Home whole, Set<String> inScope) {
       Map<String, Device> devices = new TreeMap<>(whole.devices());
       devices.keySet().retainAll(inScope);
-      return new Part(
-          whole,
-          new Home(
-              whole.iri(),
-              whole.label(),
-              whole.vocabulary(),
-              whole.individuals(),
-              devices,
-              whole.groups()));
+      return new Part(whole, whole.withDevices(devices));
     }
   }
 

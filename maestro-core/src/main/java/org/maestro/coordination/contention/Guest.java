@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.Resource;
 import org.maestro.coordination.api.WaitsFor;
@@ -25,13 +24,13 @@ final class Guest implements Contender {
 
   private final String id;
   private final ActiveGoals activeGoals;
-  private final ActionDispatcher agents;
+  private final OtherManagers others;
   private final Map<String, ComponentWant> wantsByMember = new TreeMap<>();
 
-  Guest(String id, ActiveGoals activeGoals, ActionDispatcher agents) {
+  Guest(String id, ActiveGoals activeGoals, OtherManagers others) {
     this.id = id;
     this.activeGoals = activeGoals;
-    this.agents = agents;
+    this.others = others;
   }
 
   @Override
@@ -65,6 +64,11 @@ final class Guest implements Contender {
     leases().letGo(id, resources);
   }
 
+  boolean wantsOneOf(Set<Resource> resources) {
+    return wantsByMember.values().stream()
+        .anyMatch(want -> want.resources().stream().anyMatch(resources::contains));
+  }
+
   boolean isWaiting() {
     return !wantsByMember.isEmpty();
   }
@@ -79,7 +83,7 @@ final class Guest implements Contender {
       if (these.isEmpty()) {
         wantsByMember.remove(want.member());
         leases().keep(id, want.resources());
-        agents.giveBack(want.member(), want.components());
+        others.giveBack(id, want);
       } else {
         wanted.addAll(want.resources());
         obstacles.addAll(these);

@@ -28,10 +28,11 @@ import org.maestro.rats.time.Clock;
  */
 public final class OtherManagers {
   /**
-   * Who waits so long, while another that does not go first waits as well, is in a circle that no
-   * manager sees the whole of.
+   * So often what is wanted is said again, as an agent may have taken this manager for gone, or
+   * does not know yet that another is. Who has waited that long, while another that does not go
+   * first waits as well, is in a circle that no manager sees the whole of.
    */
-  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private final ActiveGoals activeGoals;
   private final ActionDispatcher agents;
@@ -76,7 +77,6 @@ public final class OtherManagers {
           guest.wants(want);
           guest.advance();
           retire();
-          lookAfter();
         });
   }
 
@@ -121,8 +121,19 @@ public final class OtherManagers {
         goal,
         id -> {
           leases().enter(id, new GoalPriority(0, Optional.empty(), leases().latestNumber()));
-          return new Guest(id, activeGoals, agents);
+          return new Guest(id, activeGoals, this);
         });
+  }
+
+  /**
+   * What a guest has from now on is out of this manager's hands; who else wants it is told where it
+   * is.
+   */
+  void giveBack(String to, ComponentWant want) {
+    agents.giveBack(want.member(), want.components());
+    guests.values().stream()
+        .filter(guest -> !guest.id().equals(to) && guest.wantsOneOf(want.resources()))
+        .forEach(guest -> guest.wantsNoMore(want.member()));
   }
 
   private void retire() {
@@ -158,6 +169,7 @@ public final class OtherManagers {
     if (guests.isEmpty() && asked.isEmpty()) {
       return;
     }
+    lookAfter();
     Map<Asked, ComponentWant> now = new LinkedHashMap<>();
     for (WaitsFor edge : leases().graph()) {
       boolean isOfAnother =
@@ -192,7 +204,7 @@ public final class OtherManagers {
   }
 
   private void lookAfter() {
-    if (!isLookedAfter && guests.values().stream().anyMatch(Guest::isWaiting)) {
+    if (!isLookedAfter) {
       isLookedAfter = true;
       clock.schedule(
           PATIENCE, "other managers", () -> owner.execute(() -> activeGoals.run(this::look)));
@@ -201,6 +213,7 @@ public final class OtherManagers {
 
   private void look() {
     isLookedAfter = false;
+    asked.values().forEach(agents::want);
     for (Guest guest : List.copyOf(guests.values())) {
       leases().waitsOf(guest.id()).stream()
           .flatMap(edge -> leases().keeper(edge.resource()).stream())
@@ -210,7 +223,6 @@ public final class OtherManagers {
           .filter(keeper -> keeper.underway().isEmpty() && isStuck(keeper.id()))
           .forEach(keeper -> keeper.stepBackFor(guest.id()));
     }
-    lookAfter();
   }
 
   /** It waits, and for something that another manager has. */

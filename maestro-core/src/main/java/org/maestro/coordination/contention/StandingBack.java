@@ -1,6 +1,9 @@
 package org.maestro.coordination.contention;
 
+import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.WaitsFor;
 
 /** For whom a goal stands back, and whether that is so still. The coordinator's thread only. */
 public final class StandingBack {
@@ -33,10 +36,14 @@ public final class StandingBack {
   public boolean isSo() {
     after = after.filter(other -> activeGoals.goesOnBefore(other, goal));
     yieldedTo =
-        yieldedTo.filter(
-            other ->
-                activeGoals.goesOnBefore(other, goal)
-                    && !activeGoals.leases().waitsOf(other).isEmpty());
+        yieldedTo.filter(other -> activeGoals.goesOnBefore(other, goal) && isOnItsWay(other));
     return after.isPresent() || yieldedTo.isPresent();
+  }
+
+  /** It waits, and has not stepped back for this one meanwhile. */
+  private boolean isOnItsWay(String other) {
+    List<WaitsFor> waits = activeGoals.leases().waitsOf(other);
+    return !waits.isEmpty()
+        && waits.stream().map(WaitsFor::resource).noneMatch(Resource.endOf(goal)::equals);
   }
 }

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
@@ -15,6 +16,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
 
 /** Reads the goals that agents have of their own accord, and the groups that some stand for. */
 final class Aims {
@@ -25,12 +27,17 @@ final class Aims {
   private final Vocabulary vocabulary;
   private final VocabularyCheck check;
   private final Literals literals;
+  private final Predicate<String> scripts;
 
-  Aims(SourceGraph graph, Vocabulary vocabulary, VocabularyCheck check) {
+  /**
+   * @param scripts whether a name is that of a script, whose use is checked when all are read
+   */
+  Aims(SourceGraph graph, Vocabulary vocabulary, VocabularyCheck check, Predicate<String> scripts) {
     this.graph = graph;
     this.vocabulary = vocabulary;
     this.check = check;
     this.literals = new Literals(graph);
+    this.scripts = scripts;
   }
 
   /** The goals that a node states; free variables are existential, {@code ?self} is the agent. */
@@ -42,13 +49,19 @@ final class Aims {
               node, PURSUES, value, text -> SlParser.formula(text, vocabulary::isFluent));
       goal.ifPresent(
           formula -> {
-            Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
-            variables.add(Self.NAME);
-            check.checkFormula(node, "pursues", variables, formula);
+            if (!isScript(formula)) {
+              Set<String> variables = new LinkedHashSet<>(FreeVariables.of(formula));
+              variables.add(Self.NAME);
+              check.checkFormula(node, "pursues", variables, formula);
+            }
             goals.add(formula);
           });
     }
     return goals;
+  }
+
+  private boolean isScript(Formula goal) {
+    return goal instanceof Formula.Atom atom && scripts.test(atom.predicate());
   }
 
   /** The group that a node describes. */
@@ -74,6 +87,19 @@ final class Aims {
       graph.fault(
           node, "has no maestro:pursues", "state its goal, such as \"(keep ...)\" in MAESTRO-SL");
     }
-    return new Group(individual, literals.text(node, "container"), members, condition, goals);
+    WorthReader worth = new WorthReader(graph);
+    return new Group(
+        individual,
+        literals.text(node, "container"),
+        members,
+        condition,
+        goals,
+        worth.benefit(node),
+        worth.chance(node),
+        worth.allowed(node),
+        graph
+            .object(node, Maestro.term("plans"))
+            .filter(value -> Literals.term(value).equals(new Term.Truth(false)))
+            .isEmpty());
   }
 }

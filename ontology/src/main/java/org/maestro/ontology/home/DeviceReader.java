@@ -53,7 +53,7 @@ final class DeviceReader {
     Map<String, String> reports = new TreeMap<>();
     Map<String, Offer> offers = new LinkedHashMap<>();
     Set<Formula> pursues = new LinkedHashSet<>();
-    Aims aims = new Aims(graph, vocabulary, check);
+    Aims aims = new Aims(graph, vocabulary, check, name -> false);
     for (Node layer : layers) {
       container = literals.text(layer, "container").or(orElse(container));
       driver = literals.text(layer, "driver").or(orElse(driver));

@@ -1,10 +1,12 @@
 package org.maestro.ontology.home;
 
+import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /**
@@ -16,17 +18,44 @@ import org.maestro.sl.Formula;
  * @param members ids of the devices stated by name
  * @param memberWhen every device of which this is known to be true is a member too; its variable is
  *     {@code ?member}
- * @param pursues its goals, with {@code ?self} for the group
+ * @param pursues its goals, with {@code ?self} for the group; one may be a script of the home
+ * @param benefit of each of its goals, in seconds of work; a script without it has its own
+ * @param chance that they succeed, as long as they were never tried
+ * @param allowed simulated time within which their urgency grows to the highest
+ * @param plans whether its agent makes plans; else it carries out scripts of calls only
  */
 public record Group(
     Individual individual,
     Optional<String> container,
     Set<String> members,
     Optional<Formula> memberWhen,
-    List<Formula> pursues) {
+    List<Formula> pursues,
+    Optional<Expression> benefit,
+    Optional<Double> chance,
+    Optional<Duration> allowed,
+    boolean plans) {
   public Group {
     members = Collections.unmodifiableSet(new TreeSet<>(members));
     pursues = List.copyOf(pursues);
+  }
+
+  /** One that plans, and says nothing of what its goals are worth. */
+  public Group(
+      Individual individual,
+      Optional<String> container,
+      Set<String> members,
+      Optional<Formula> memberWhen,
+      List<Formula> pursues) {
+    this(
+        individual,
+        container,
+        members,
+        memberWhen,
+        pursues,
+        Optional.empty(),
+        Optional.empty(),
+        Optional.empty(),
+        true);
   }
 
   public String id() {

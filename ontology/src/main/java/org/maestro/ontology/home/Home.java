@@ -39,6 +39,11 @@ public record Home(
     return new Home(iri, label, vocabulary, individuals, devices, groups, others, timeZone, words);
   }
 
+  /** The same home with these devices; the others are things of it only. */
+  public Home withDevices(Map<String, Device> others) {
+    return new Home(iri, label, vocabulary, individuals, others, groups, scripts, timeZone, words);
+  }
+
   /** The same home, whose clocks show the time of that zone. */
   public Home in(ZoneId zone) {
     return new Home(

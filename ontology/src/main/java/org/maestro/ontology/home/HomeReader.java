@@ -62,7 +62,7 @@ final class HomeReader {
             vocabulary,
             individuals,
             devices(individuals, nodes, words),
-            groups(individuals, nodes, words),
+            groups(individuals, nodes, words, scripts.keySet()),
             readScripts(scripts),
             timeZone(homeNode),
             ownWords());
@@ -129,8 +129,11 @@ final class HomeReader {
   }
 
   private Map<String, Group> groups(
-      Map<String, Individual> individuals, Map<String, Node> nodes, VocabularyCheck words) {
-    Aims aims = new Aims(graph, vocabulary, words);
+      Map<String, Individual> individuals,
+      Map<String, Node> nodes,
+      VocabularyCheck words,
+      Set<String> scripts) {
+    Aims aims = new Aims(graph, vocabulary, words, scripts::contains);
     Map<String, Group> groups = new TreeMap<>();
     nodes.forEach(
         (name, node) -> {
@@ -163,6 +166,7 @@ final class HomeReader {
     new PermissionCheck(graph, home).check(nodes);
     scripts.values().forEach(check::checkScript);
     new ScriptCheck(graph, home).check(scripts);
+    new GroupCheck(graph, home).check(nodes);
     if (graph.faults().isEmpty()) {
       new MapCheck(graph, home).check();
     }

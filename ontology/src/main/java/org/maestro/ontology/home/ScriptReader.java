@@ -1,6 +1,5 @@
 package org.maestro.ontology.home;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,12 +10,10 @@ import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Body;
-import org.maestro.sl.Expression;
 import org.maestro.sl.PrintedScript;
 import org.maestro.sl.PrintedScriptException;
 import org.maestro.sl.PrintedScriptReader;
 import org.maestro.sl.SlParser;
-import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
 /** Reads action scripts; what cannot be read becomes a fault of the graph. */
@@ -28,6 +25,7 @@ final class ScriptReader {
   private final SourceGraph graph;
   private final Vocabulary vocabulary;
   private final Literals literals;
+  private final WorthReader worth;
   private final Set<String> names;
 
   /**
@@ -37,6 +35,7 @@ final class ScriptReader {
     this.graph = graph;
     this.vocabulary = vocabulary;
     this.literals = new Literals(graph);
+    this.worth = new WorthReader(graph);
     this.names = names;
   }
 
@@ -56,9 +55,9 @@ final class ScriptReader {
         literals.label(node),
         parameters,
         body(node, parameters).orElse(new Body.Seq(List.of())),
-        benefit(node),
-        chance(node),
-        allowed(node));
+        worth.benefit(node),
+        worth.chance(node),
+        worth.allowed(node));
   }
 
   /** The property that states a script's steps. */
@@ -126,45 +125,5 @@ final class ScriptReader {
   /** A datatype may have the prefix that it has elsewhere in the file. */
   private static TypedVariable parameter(String text) {
     return SlParser.variable(text.replaceFirst("-\\s+xsd:", "- "));
-  }
-
-  private Optional<Expression> benefit(Node node) {
-    Optional<Expression> benefit = literals.parsed(node, "benefit", SlParser::expression);
-    if (benefit.isPresent()
-        && benefit.get() instanceof Expression.OfTerm constant
-        && constant.term() instanceof Term.Number number
-        && number.value() < 0) {
-      Node property = Maestro.term("benefit");
-      graph.fault(
-          node,
-          property,
-          graph.object(node, property),
-          "is less than nothing",
-          "write the seconds of work that it is worth, such as 60");
-    }
-    return benefit;
-  }
-
-  /** What is no number from 0 to 1 was noted when the shapes were checked. */
-  private Optional<Double> chance(Node node) {
-    return graph
-        .object(node, Maestro.term("chance"))
-        .map(Literals::term)
-        .filter(Term.Number.class::isInstance)
-        .map(term -> ((Term.Number) term).value());
-  }
-
-  private Optional<Duration> allowed(Node node) {
-    Optional<Duration> allowed = literals.duration(node, "allowed");
-    if (allowed.filter(time -> time.isNegative() || time.isZero()).isPresent()) {
-      Node property = Maestro.term("allowed");
-      graph.fault(
-          node,
-          property,
-          graph.object(node, property),
-          "leaves no time",
-          "write days to seconds, such as PT10M");
-    }
-    return allowed;
   }
 }

@@ -65,6 +65,56 @@ class OwnGoalsTest {
         .hasMessageContaining("lamp-c9 is not described in this home");
   }
 
+  private static final String SCRIPTS =
+      """
+
+      home:light a maestro:Script ; rdfs:label "light" ; maestro:arguments ( "?room - Zone" ) ;
+        maestro:body "(foreach (?l - Lamp) (inside ?l ?room) (do adjustLight ?l :level 1))" .
+      home:fetchIt a maestro:Script ; rdfs:label "fetch" ; maestro:body "(run bringIt)" .
+      home:bringIt a maestro:Script ; rdfs:label "bring it" ; maestro:body "(achieve (nextTo Cup Bob))" .
+      """;
+  private static final String KEEP = "\"(keep (>= (illuminance zone-b) 72))\"";
+
+  @Test
+  void aGroupMayRunScriptsAndSayWhatItsGoalsAreWorth() {
+    Group keeper =
+        load(BOB
+                + SCRIPTS
+                + GROUP.replace(
+                    KEEP, "\"(light zone-b)\" ; maestro:benefit 60 ; maestro:plans false"))
+            .groups()
+            .get("keeper");
+
+    assertThat(keeper.pursues()).containsExactly(SlParser.formula("(light zone-b)"));
+    assertThat(keeper.benefit()).contains(SlParser.expression("60"));
+    assertThat(keeper.plans()).isFalse();
+  }
+
+  @Test
+  void aScriptThatAGroupRunsIsCheckedAsAnyRun() {
+    assertScript(
+        "\"(light zone-b zone-a)\"", "gives light 2 arguments; write (run light ?room - Zone)");
+    assertScript("\"(light Bob)\"", "gives Bob for ?room of light, which cannot be that");
+    assertScript("\"(light zone-b)\" ; maestro:benefit \"(* 2 ?lamps)\"", "?lamps");
+  }
+
+  @Test
+  void whoMakesNoPlansRunsScriptsOfCallsOnly() {
+    assertScript(
+        KEEP + " ; maestro:plans false",
+        "states a goal that is to be planned for, and its agent makes no plans (maestro:plans"
+            + " false); name a script, or leave maestro:plans out");
+    assertScript(
+        "\"(fetchIt)\" ; maestro:plans false",
+        "runs fetchIt, which achieves something by a plan, and its agent makes none (maestro:plans"
+            + " false); write its steps with do, or leave maestro:plans out");
+  }
+
+  private static void assertScript(String goal, String problem) {
+    assertThatThrownBy(() -> load(BOB + SCRIPTS + GROUP.replace(KEEP, goal)))
+        .hasMessageContaining(problem);
+  }
+
   private static void assertFault(String goal, String problem) {
     assertThatThrownBy(
             () -> load(BOB + GROUP.replace("\"(keep (>= (illuminance zone-b) 72))\"", goal)))

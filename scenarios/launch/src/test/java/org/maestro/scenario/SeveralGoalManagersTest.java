@@ -32,6 +32,14 @@ class SeveralGoalManagersTest {
       home:team a maestro:GroupAgent ; rdfs:label "all devices" ;
         maestro:memberWhen "(Device ?member)" ; maestro:pursues "(nextTo Cup Bob)" .
       """;
+  private static final String PATROL =
+      """
+
+      home:patrol a maestro:Script ; rdfs:label "go round" ;
+        maestro:body "(while (>= (level lamp-a1) 0) (seq (do move rose :to zone-b) (do move rose :to zone-a)))" .
+      home:room a maestro:GroupAgent ; rdfs:label "the room's own manager" ;
+        maestro:memberWhen "(Device ?member)" ; maestro:plans false ; maestro:benefit 20 ; maestro:pursues "(patrol)" .
+      """;
   private static final String WHERE_IT_IS =
       """
 
@@ -90,6 +98,27 @@ class SeveralGoalManagersTest {
     }
   }
 
+  /** The room's manager makes no plans: it has Rose go round, as its script says. */
+  @Test
+  void aSmallManagerOfARoomAndThatOfTheHouseShareARobotByWhatTheirGoalsAreWorth() {
+    try (Stage stage = stage("room", PATROL, "")) {
+      List<StoryEntry> story = listen(stage);
+      stage.await(
+          "Rose goes round", () -> stage.world().zone("rose").equals(Optional.of("zone-b")));
+      Pursuit cup = stage.begin(new AskedGoal("(nextTo Cup Bob)").benefit("300"));
+      assertThat(cup.await().reached()).as(told(story)).isTrue();
+
+      assertThat(stage.world().isNextTo("Cup", "Bob")).isTrue();
+      assertThat(story)
+          .anyMatch(
+              entry ->
+                  entry.goalId().equals("room-1")
+                      && entry.text().contains("Waits: the base of rose is held by G1"));
+      Optional<String> zone = stage.world().zone("rose");
+      stage.await("Rose goes round again", () -> !stage.world().zone("rose").equals(zone));
+    }
+  }
+
   private static Pursuit overtaking(Stage stage, List<StoryEntry> story) {
     awaitTelling(stage, story, "team-1", ": rose drives to zone-b");
     Pursuit mug = stage.begin(new AskedGoal("(nextTo Mug Bob)").priority(5));
@@ -118,8 +147,12 @@ class SeveralGoalManagersTest {
   }
 
   private static Stage stage(String name) {
-    Home home = new HomeLoader().load(text("/homes/bob.ttl") + MUG, "bob.ttl");
-    String scene = text("/scenes/bob-dark.ttl").replace("4.0 0.8 0", "1.2 0.8 0") + WHERE_IT_IS;
+    return stage(name, MUG, WHERE_IT_IS);
+  }
+
+  private static Stage stage(String name, String managers, String things) {
+    Home home = new HomeLoader().load(text("/homes/bob.ttl") + managers, "bob.ttl");
+    String scene = text("/scenes/bob-dark.ttl").replace("4.0 0.8 0", "1.2 0.8 0") + things;
     return Stage.stepped(
         SiteSettings.of(name, home)
             .scene(
