@@ -87,6 +87,7 @@ class MistakesTest {
         "arena",
         "arena-windows",
         "flat",
+        "household",
         "livingroom",
         "study",
         "broken-cup"

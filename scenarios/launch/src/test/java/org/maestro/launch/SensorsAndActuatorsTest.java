@@ -32,6 +32,7 @@ class SensorsAndActuatorsTest {
         "bob-two-robots",
         "broken-cup",
         "flat",
+        "household",
         "livingroom",
         "study"
       })
