@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.maestro.junit.MaestroAssertions.assertThat;
 
 import java.time.Duration;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Position;
@@ -183,25 +185,43 @@ class ScriptsPeopleWantTest {
   @Test
   void readingLight(Stage stage) {
     begin(stage, "readingLight");
-    assertThat(stage.world()).hasLampAt("living-lamp", 0);
+    assertThat(stage.world().lux("living")).isLessThan(10);
     stage.world().hide("Ada", false);
     run(stage, 10);
-    assertThat(stage.world().lux("living")).isBetween(200.0, 800.0);
+    assertThat(stage.world()).hasLuxAtLeast("living", 200);
   }
 
   @Nested
   @MaestroTest(home = "household", scene = "household-noon")
   class AtNoon {
+    private static final Pattern KEPT =
+        Pattern.compile("^\\./maestro goal '(.*\\(keep .*)'$", Pattern.MULTILINE);
+
     @Test
-    void readingLightIsThatOfTheDayUntilItBecomesDark(Stage stage) {
-      assertThat(stage.world().lux("living")).isGreaterThan(800);
+    void readingLightIsThatOfTheDayUntilItIsTooLittle(Stage stage) {
       begin(stage, "readingLight");
+      assertThatItIsNeitherDarkNorGlaring(stage);
+    }
+
+    @Test
+    void soIsWhatIsKeptWithoutAScript(Stage stage) {
+      Matcher kept = KEPT.matcher(WantedScript.page());
+      assertThat(kept.find()).isTrue();
+      stage.begin(kept.group(1));
+      run(stage, 5);
+      assertThatItIsNeitherDarkNorGlaring(stage);
+    }
+
+    private static void assertThatItIsNeitherDarkNorGlaring(Stage stage) {
+      assertThat(stage.world().lux("living")).isGreaterThan(1200);
       stage.world().hide("Ada", false);
       run(stage, 30);
-      assertThat(stage.world().lux("living")).isBetween(200.0, 800.0);
+      assertThat(stage.world().lux("living")).isBetween(200.0, 1200.0);
+      assertThat(stage.world().opening("living-blind")).isEqualTo(0.5);
+      assertThat(stage.world()).hasLampAt("living-lamp", 0);
       stage.world().setClouds(1);
-      run(stage, 90);
-      assertThat(stage.world().lux("living")).isBetween(200.0, 800.0);
+      run(stage, 150);
+      assertThat(stage.world().lux("living")).isBetween(200.0, 1200.0);
     }
   }
 }
