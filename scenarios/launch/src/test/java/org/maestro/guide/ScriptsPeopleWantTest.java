@@ -149,6 +149,17 @@ class ScriptsPeopleWantTest {
   }
 
   @Test
+  void aLeakGoesBeforeWhatIsKeptOtherwise(Stage stage) {
+    begin(stage, "stopWater");
+    Pursuit dark = stage.begin("(keep (= (level kitchen-lamp) 0))");
+    run(stage, 60);
+    stage.world().hide("puddle", false);
+
+    dark.awaitTelling("goes first");
+    stage.await("it is light", () -> stage.world().lampLevel("kitchen-lamp") == 1);
+  }
+
+  @Test
   void restock(Stage stage) {
     begin(stage, "restock");
     stage.world().moveByHand("Ada", new Position(6.6, 2.8, 0));
@@ -164,6 +175,16 @@ class ScriptsPeopleWantTest {
         .hasInZone("Oats", "shelf")
         .hasPutDown("Oats")
         .hasInZone("tim", "living");
+  }
+
+  @Test
+  void whoFindsNothingToFetchComesBackAllTheSame(Stage stage) {
+    stage.world().hide("Tea", true);
+    Pursuit restocking = stage.begin("(restock)").awaitTelling("tim reports: tim is in store");
+    stage.world().hide("Oats", true);
+
+    assertThat(restocking.await()).isNotReached();
+    assertThat(stage.world()).hasInZone("tim", "living");
   }
 
   @Test

@@ -62,9 +62,12 @@ record WantedScript(String name, String turtle, String command, String yaml) {
   /** What the command asks for. */
   String goal() {
     Matcher goal = GOAL.matcher(command);
+    if (goal.find()) {
+      return goal.group(1);
+    }
     Matcher run = RUN.matcher(command);
-    assertThat(goal.find() ^ run.find()).as(command).isTrue();
-    return command.contains("run-script") ? "(" + run.group(1) + ")" : goal.group(1);
+    assertThat(run.find()).as(command).isTrue();
+    return "(" + run.group(1) + ")";
   }
 
   long lines() {
