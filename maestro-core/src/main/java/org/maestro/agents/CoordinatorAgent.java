@@ -216,7 +216,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       switch (content.operator()) {
         case "initCNP" -> requests.goal(message, words);
         case "inform" -> memberNews(message, words, content);
-        case "yield" -> deliberation.yield(message, words);
+        case "yield" -> deliberation.askedToYield(message, words);
         case "cancel" -> requests.cancel(message, words);
         case "explain" -> requests.explain(message, words);
         case "subscribe" -> requests.subscribe(message, words);

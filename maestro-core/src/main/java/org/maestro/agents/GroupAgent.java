@@ -173,7 +173,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       Words words = Words.of(content);
       switch (content.operator()) {
         case "inform" -> memberNews(message, words);
-        case "yield" -> goals.yield(message, words);
+        case "yield" -> goals.askedToYield(message, words);
         case "cancel" -> new OwnGoalRequests(this, goals).cancel(message, words);
         case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();

@@ -44,7 +44,7 @@ public final class ComponentArbiter {
      * It has what a goal of another wants, and is to give it back as soon as its own goals may do
      * without; said again when that goal goes earlier or later than before.
      */
-    void yield(String holder, String by, ComponentWant want);
+    void askToYield(String holder, String by, ComponentWant want);
 
     /** What it was told to give back for that goal is wanted no more. */
     void wantedNoMore(String holder, String goalId);
@@ -200,6 +200,6 @@ public final class ComponentArbiter {
             .collect(Collectors.toCollection(TreeSet::new));
     others.stream()
         .filter(queued.told::add)
-        .forEach(holder -> managers.yield(holder, by, queued.want));
+        .forEach(holder -> managers.askToYield(holder, by, queued.want));
   }
 }

@@ -156,7 +156,7 @@ final class GoalManager {
     robots().forEach(robot -> coordinator.memberPresent(robot, Optional.of("its first life")));
   }
 
-  void yield(ComponentWant want) {
+  void askedToYield(ComponentWant want) {
     later(ON_ITS_WAY, () -> coordinator.wantedElsewhere(want));
   }
 

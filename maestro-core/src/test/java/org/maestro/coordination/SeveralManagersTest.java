@@ -96,8 +96,8 @@ class SeveralManagersTest {
       }
 
       @Override
-      public void yield(String holder, String by, ComponentWant want) {
-        managers.get(holder).yield(want);
+      public void askToYield(String holder, String by, ComponentWant want) {
+        managers.get(holder).askedToYield(want);
       }
 
       @Override

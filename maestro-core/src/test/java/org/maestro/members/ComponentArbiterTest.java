@@ -19,7 +19,7 @@ class ComponentArbiterTest {
       new ComponentArbiter(
           new ComponentArbiter.Managers() {
             @Override
-            public void yield(String holder, String by, ComponentWant want) {
+            public void askToYield(String holder, String by, ComponentWant want) {
               said.add("%s yields to %s of %s".formatted(holder, want.goalId(), by));
             }
 

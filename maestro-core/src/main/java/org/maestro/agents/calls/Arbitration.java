@@ -4,6 +4,7 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -114,17 +115,22 @@ public final class Arbitration {
     arbiter.giveBack(manager, components);
   }
 
+  /** Who has ordered or wanted something has written before. */
+  private AID address(String manager) {
+    return Objects.requireNonNull(managers.get(manager));
+  }
+
   /** The way to the managers; to the agent's own goals there are no messages. */
   private final class ByMessages implements ComponentArbiter.Managers {
 
     @Override
-    public void yield(String holder, String by, ComponentWant want) {
+    public void askToYield(String holder, String by, ComponentWant want) {
       if (holder.equals(own())) {
         agent.tell(() -> ownYields.accept(want));
         return;
       }
       agent.ask(
-          agent.message(ACLMessage.REQUEST, managers.get(holder), ArbitrationWords.yield(want)),
+          agent.message(ACLMessage.REQUEST, address(holder), ArbitrationWords.yieldTo(want)),
           ANSWERS_WITHIN,
           reply -> {
             if (reply.getPerformative() != ACLMessage.INFORM) {
@@ -153,7 +159,7 @@ public final class Arbitration {
       if (manager.equals(own())) {
         agent.tell(() -> ownGoals.accept(Words.of(news)));
       } else {
-        agent.send(agent.message(ACLMessage.INFORM, managers.get(manager), news));
+        agent.send(agent.message(ACLMessage.INFORM, address(manager), news));
       }
     }
   }

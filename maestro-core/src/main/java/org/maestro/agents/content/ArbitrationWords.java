@@ -52,7 +52,7 @@ public final class ArbitrationWords {
     return content("want", want);
   }
 
-  public static Content yield(ComponentWant want) {
+  public static Content yieldTo(ComponentWant want) {
     return content("yield", want);
   }
 

@@ -109,7 +109,7 @@ public final class MemberProxy implements MemberNews.Listener {
                         here.past(),
                         member::equals,
                         Optional.of(own)));
-    goals.ifPresent(its -> arbitration.ownManager(its::yield, its::heard));
+    goals.ifPresent(its -> arbitration.ownManager(its::askedToYield, its::heard));
   }
 
   /** What the agent is configured with goes before what the member says of itself. */

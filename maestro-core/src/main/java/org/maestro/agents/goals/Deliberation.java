@@ -176,7 +176,7 @@ public final class Deliberation {
   }
 
   /** A member's agent asks for what a goal of another manager wants of the member (A94). */
-  public void yield(ACLMessage message, Words words) {
+  public void askedToYield(ACLMessage message, Words words) {
     String sender = message.getSender().getLocalName();
     Optional<ComponentWant> want =
         ArbitrationWords.want(words).filter(w -> membersOf(sender).contains(w.member()));

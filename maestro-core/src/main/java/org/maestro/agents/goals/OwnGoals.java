@@ -133,12 +133,12 @@ public final class OwnGoals {
   }
 
   /** A member's agent asks for what a goal of another manager wants of the member. */
-  public void yield(ACLMessage message, Words words) {
-    deliberation.yield(message, words);
+  public void askedToYield(ACLMessage message, Words words) {
+    deliberation.askedToYield(message, words);
   }
 
   /** The same of the agent's own member. */
-  public void yield(ComponentWant want) {
+  public void askedToYield(ComponentWant want) {
     deliberation.coordinator().wantedElsewhere(want);
   }
 
