@@ -23,6 +23,7 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
+import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.journal.JournalImage;
 import org.maestro.members.ComponentArbiter;
 import org.maestro.planning.OptimalPlanner;
@@ -136,6 +137,10 @@ final class GoalManager {
 
   List<GoalStatus> goals() {
     return coordinator.goals();
+  }
+
+  List<WaitsFor> waits() {
+    return coordinator.waits();
   }
 
   boolean isAlive() {

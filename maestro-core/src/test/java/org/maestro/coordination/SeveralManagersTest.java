@@ -220,7 +220,8 @@ class SeveralManagersTest {
       return Optional.of(String.valueOf(e.getMessage()));
     }
     if (!ended) {
-      return Optional.of("not all ended: " + goals(site) + "\n" + site.house.told());
+      return Optional.of(
+          "not all ended: %s\n%s\n%s".formatted(goals(site), waits(site), site.house.told()));
     }
     if (!site.heldTwice().isEmpty()) {
       return Optional.of("held twice: " + site.heldTwice() + "\n" + site.house.told());
@@ -245,6 +246,12 @@ class SeveralManagersTest {
     return site.managers.values().stream()
         .flatMap(manager -> manager.goals().stream())
         .map(String::valueOf)
+        .toList();
+  }
+
+  private static List<String> waits(Site site) {
+    return site.managers.values().stream()
+        .map(manager -> manager.name + " " + manager.waits())
         .toList();
   }
 

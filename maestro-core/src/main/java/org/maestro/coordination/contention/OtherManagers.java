@@ -66,6 +66,8 @@ public final class OtherManagers {
   /** A step was refused, as another manager has what it needs. */
   public void have(String member, Set<String> components, HeldElsewhere by) {
     guest(by.goalId()).has(member, resources(member, components));
+    isElsewhere(by.goalId(), member, resources(member, components));
+    retire();
   }
 
   /** A goal of another manager wants what this one may have. */
@@ -125,15 +127,16 @@ public final class OtherManagers {
         });
   }
 
-  /**
-   * What a guest has from now on is out of this manager's hands; who else wants it is told where it
-   * is.
-   */
   void giveBack(String to, ComponentWant want) {
     agents.giveBack(want.member(), want.components());
+    isElsewhere(to, want.member(), want.resources());
+  }
+
+  /** It is out of this manager's hands; what else wants it here is told of elsewhere. */
+  private void isElsewhere(String holder, String member, Set<Resource> resources) {
     guests.values().stream()
-        .filter(guest -> !guest.id().equals(to) && guest.wantsOneOf(want.resources()))
-        .forEach(guest -> guest.wantsNoMore(want.member()));
+        .filter(guest -> !guest.id().equals(holder) && guest.wantsOneOf(resources))
+        .forEach(guest -> guest.wantsNoMore(member));
   }
 
   private void retire() {
