@@ -89,7 +89,7 @@ public final class Arbitration {
   }
 
   private void want(String manager, Words words) {
-    ArbitrationWords.want(words)
+    ArbitrationWords.want(words, agent.clock().now())
         .ifPresentOrElse(
             want -> arbiter.want(manager, want),
             () -> words.string("goal").ifPresent(goal -> arbiter.wantNoMore(manager, goal)));
@@ -130,7 +130,10 @@ public final class Arbitration {
         return;
       }
       agent.ask(
-          agent.message(ACLMessage.REQUEST, address(holder), ArbitrationWords.yieldTo(want)),
+          agent.message(
+              ACLMessage.REQUEST,
+              address(holder),
+              ArbitrationWords.yieldTo(want, agent.clock().now())),
           ANSWERS_WITHIN,
           reply -> {
             if (reply.getPerformative() != ACLMessage.INFORM) {

@@ -48,15 +48,19 @@ public final class ArbitrationWords {
         .map(manager -> new HeldElsewhere(manager, words.string("held-for").orElse(manager)));
   }
 
-  public static Content want(ComponentWant want) {
-    return content("want", want);
+  /**
+   * @param now the time of the clock on which its deadline is: others have other clocks
+   */
+  public static Content want(ComponentWant want, Duration now) {
+    return content("want", want, now);
   }
 
-  public static Content yieldTo(ComponentWant want) {
-    return content("yield", want);
+  /** The same, said to the holder. */
+  public static Content yieldTo(ComponentWant want, Duration now) {
+    return content("yield", want, now);
   }
 
-  private static Content content(String operator, ComponentWant want) {
+  private static Content content(String operator, ComponentWant want, Duration now) {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("member", Words.name(want.member())));
     arguments.add(Words.named("goal", Words.name(want.goalId())));
@@ -67,7 +71,8 @@ public final class ArbitrationWords {
         .deadline()
         .ifPresent(
             deadline ->
-                arguments.add(Words.named("deadline", Words.number((double) deadline.toMillis()))));
+                arguments.add(
+                    Words.named("left", Words.number((double) deadline.minus(now).toMillis()))));
     return new Content(operator, arguments);
   }
 
@@ -75,20 +80,23 @@ public final class ArbitrationWords {
     return Words.named(title, components.stream().sorted().map(Words::name).toList());
   }
 
-  /** What is wanted; empty when the message does not say of whom, for what goal, or what. */
-  public static Optional<ComponentWant> want(Words words) {
+  /**
+   * What is wanted; empty when the message does not say of whom, for what goal, or what.
+   *
+   * @param now the time of the reader's clock
+   */
+  public static Optional<ComponentWant> want(Words words, Duration now) {
     Optional<String> member = words.string("member");
     Optional<String> goal = words.string("goal");
     Set<String> components = new TreeSet<>(words.strings("components"));
     if (member.isEmpty() || goal.isEmpty() || components.isEmpty()) {
       return Optional.empty();
     }
-    double deadline = words.number("deadline", -1);
     GoalPriority standing =
         new GoalPriority(
             (int) words.number("priority", 0),
             (int) words.number("grade", GoalPriority.UNWEIGHED),
-            deadline < 0 ? Optional.empty() : Optional.of(Duration.ofMillis((long) deadline)),
+            words.find("left").map(left -> now.plusMillis((long) words.number("left", 0))),
             0);
     return Optional.of(new ComponentWant(goal.get(), standing, member.get(), components));
   }

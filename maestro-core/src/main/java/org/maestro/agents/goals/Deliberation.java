@@ -179,7 +179,8 @@ public final class Deliberation {
   public void askedToYield(ACLMessage message, Words words) {
     String sender = message.getSender().getLocalName();
     Optional<ComponentWant> want =
-        ArbitrationWords.want(words).filter(w -> membersOf(sender).contains(w.member()));
+        ArbitrationWords.want(words, clock.now())
+            .filter(w -> membersOf(sender).contains(w.member()));
     if (want.isEmpty()) {
       agent.refuse(
           message,

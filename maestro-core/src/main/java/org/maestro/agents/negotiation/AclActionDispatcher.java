@@ -91,7 +91,7 @@ public final class AclActionDispatcher implements ActionDispatcher {
 
   @Override
   public void want(ComponentWant want) {
-    request(want.member(), ArbitrationWords.want(want));
+    request(want.member(), ArbitrationWords.want(want, agent.clock().now()));
   }
 
   @Override

@@ -7,9 +7,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.assembly.SiteSettings;
@@ -31,14 +35,6 @@ class SeveralGoalManagersTest {
       home:Mug a :Item ; rdfs:label "the mug"@en ; :colour "green" ; :size "0.08 0.08 0.1" ; :mass 0.25 .
       home:team a maestro:GroupAgent ; rdfs:label "all devices" ;
         maestro:memberWhen "(Device ?member)" ; maestro:pursues "(nextTo Cup Bob)" .
-      """;
-  private static final String PATROL =
-      """
-
-      home:patrol a maestro:Script ; rdfs:label "go round" ;
-        maestro:body "(while (>= (level lamp-a1) 0) (seq (do move rose :to zone-b) (do move rose :to zone-a)))" .
-      home:room a maestro:GroupAgent ; rdfs:label "the room's own manager" ;
-        maestro:memberWhen "(Device ?member)" ; maestro:plans false ; maestro:benefit 20 ; maestro:pursues "(patrol)" .
       """;
   private static final String WHERE_IT_IS =
       """
@@ -100,8 +96,9 @@ class SeveralGoalManagersTest {
 
   /** The room's manager makes no plans: it has Rose go round, as its script says. */
   @Test
-  void aSmallManagerOfARoomAndThatOfTheHouseShareARobotByWhatTheirGoalsAreWorth() {
-    try (Stage stage = stage("room", PATROL, "")) {
+  void aSmallManagerOfARoomAndThatOfTheHouseShareARobotByWhatTheirGoalsAreWorth()
+      throws IOException {
+    try (Stage stage = stage("room", ofTheGuide(), "")) {
       List<StoryEntry> story = listen(stage);
       stage.await(
           "Rose goes round", () -> stage.world().zone("rose").equals(Optional.of("zone-b")));
@@ -117,6 +114,14 @@ class SeveralGoalManagersTest {
       Optional<String> zone = stage.world().zone("rose");
       stage.await("Rose goes round again", () -> !stage.world().zone("rose").equals(zone));
     }
+  }
+
+  private static String ofTheGuide() throws IOException {
+    Matcher block =
+        Pattern.compile("```room\\n(.*?)```", Pattern.DOTALL)
+            .matcher(Files.readString(Path.of("../../docs/guide-scripts.md")));
+    assertThat(block.find()).isTrue();
+    return "\n" + block.group(1);
   }
 
   private static Pursuit overtaking(Stage stage, List<StoryEntry> story) {
