@@ -4,12 +4,15 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.knowledge.KnowledgeCache;
 import org.maestro.agents.lives.AgentLifeListener;
@@ -17,6 +20,7 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
@@ -34,16 +38,42 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
 
   private final transient KnowledgeCache knowledge = new KnowledgeCache(this, QUESTIONS_KEPT);
 
+  private final transient List<Consumer<Speech>> listeners = new CopyOnWriteArrayList<>();
+
   public DeskAgent(AgentTime time) {
     super(time);
   }
 
+  /**
+   * Has the listener told, on this agent's thread, of what people are to hear. What is said before
+   * nobody hears by it.
+   */
+  public void whenSaid(Consumer<Speech> listener) {
+    listeners.add(listener);
+  }
+
   @Override
   protected void received(ACLMessage message) {
+    for (Content content : Words.parse(message.getContent())) {
+      Optional<Speech> speech = SpeechWords.read(content);
+      if (speech.isPresent()) {
+        listeners.forEach(listener -> listener.accept(speech.get()));
+        reply(
+            message,
+            ACLMessage.INFORM,
+            Words.content("inform", Words.named("said", Words.name(speech.get().part()))));
+      } else {
+        protest(message);
+      }
+    }
+  }
+
+  private void protest(ACLMessage message) {
     refuse(
         message,
         ACLMessage.NOT_UNDERSTOOD,
-        "The desk answers no questions; state goals to the CCA by request.");
+        "The desk answers no questions, and tells people what others say by (inform (:say \"...\")"
+            + " (:to Bob) (:part G7.2)); state goals to the CCA by request.");
   }
 
   /** Whether nothing more follows in the conversation. */

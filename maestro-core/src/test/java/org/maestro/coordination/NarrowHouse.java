@@ -50,6 +50,7 @@ public final class NarrowHouse implements ActionDispatcher {
   public final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
   final Set<String> dead = new TreeSet<>();
   public final Set<String> mute = new TreeSet<>();
+  final Letters letters = new Letters();
   double failures;
   private final Random random;
   private final Map<String, String> busy = new TreeMap<>();
@@ -64,25 +65,26 @@ public final class NarrowHouse implements ActionDispatcher {
     coordinator =
         new Coordinator(
             new Ports(
-                knowledge,
-                planner,
-                new DescribedPrices(
-                    clock,
                     knowledge,
-                    this::isPresent,
-                    (member, feature) ->
-                        new ContractNet.Quote.Priced(seconds(feature), seconds(feature))),
-                this,
-                new Thinking() {
-                  @Override
-                  public <T> void think(Supplier<T> work, Consumer<T> then) {
-                    clock.schedule(
-                        Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
-                  }
-                },
-                action -> clock.schedule(Duration.ZERO, "owner", action),
-                clock,
-                this::note));
+                    planner,
+                    new DescribedPrices(
+                        clock,
+                        knowledge,
+                        this::isPresent,
+                        (member, feature) ->
+                            new ContractNet.Quote.Priced(seconds(feature), seconds(feature))),
+                    this,
+                    new Thinking() {
+                      @Override
+                      public <T> void think(Supplier<T> work, Consumer<T> then) {
+                        clock.schedule(
+                            Duration.ofMillis(20), "planning", () -> then.accept(work.get()));
+                      }
+                    },
+                    action -> clock.schedule(Duration.ZERO, "owner", action),
+                    clock,
+                    this::note)
+                .with(letters));
     knowledge.watch(
         change ->
             clock.schedule(Duration.ZERO, "knowledge", () -> coordinator.knowledgeChanged(change)));

@@ -121,6 +121,20 @@ public sealed interface Body {
     }
   }
 
+  /**
+   * A sentence for a person, or for all who are in a room.
+   *
+   * @param words what is said, one after the other; of a thing its label
+   */
+  record Say(Term who, List<Term> words) implements Body {
+    public Say {
+      words = List.copyOf(words);
+    }
+  }
+
+  /** A message for another agent; what comes of it is that agent's matter. */
+  record Tell(Term agent, Content message) implements Body {}
+
   /** Facts that are so from now on, as the script says. */
   record Assert(Effect effect) implements Body {}
 

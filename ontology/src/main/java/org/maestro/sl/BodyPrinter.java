@@ -45,6 +45,10 @@ final class BodyPrinter {
           parts(SlPrinter.print(hold.member()), SlPrinter.print(new Term.Text(hold.component())));
       parts.addAll(printed(hold.parts()));
       return group("hold", parts);
+    } else if (body instanceof Body.Say say) {
+      List<String> parts = parts(SlPrinter.print(say.who()));
+      say.words().forEach(word -> parts.add(SlPrinter.print(word)));
+      return group("say", parts);
     } else if (body instanceof Body.Run run) {
       return print((Body.Source) run);
     }
@@ -54,6 +58,8 @@ final class BodyPrinter {
   private static String single(Body body) {
     if (body instanceof Body.Achieve achieve) {
       return group("achieve", parts(SlPrinter.print(achieve.goal())));
+    } else if (body instanceof Body.Tell tell) {
+      return group("tell", parts(SlPrinter.print(tell.agent()), SlPrinter.print(tell.message())));
     } else if (body instanceof Body.Assert stated) {
       return group("assert", parts(SlPrinter.print(stated.effect())));
     } else if (body instanceof Body.Await await) {

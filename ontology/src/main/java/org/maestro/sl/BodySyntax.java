@@ -19,12 +19,19 @@ final class BodySyntax {
   private static final String A_HOLD =
       "a member, its component in quotes, and steps, such as (hold rose \"base\" (wait 30))";
 
+  private static final String A_SENTENCE =
+      "a person or a room, and what is said, such as (say Bob \"The cup is in\" ?room)";
+  private static final String A_MESSAGE =
+      "an agent and a message, such as (tell CCA (initCNP (:goal (in Cup zone-a))))";
+
   private final FormulaSyntax formulas;
   private final EffectSyntax effects;
+  private final ContentSyntax contents;
 
   BodySyntax(Predicate<String> fluents) {
     this.formulas = new FormulaSyntax(fluents);
     this.effects = new EffectSyntax(fluents);
+    this.contents = new ContentSyntax(fluents);
   }
 
   Body body(Node node) {
@@ -64,6 +71,16 @@ final class BodySyntax {
         yield hold(rest);
       }
       case "run" -> run(group, rest);
+      case "say" -> {
+        expect(group, 2, Integer.MAX_VALUE, A_SENTENCE);
+        yield new Body.Say(
+            ExpressionSyntax.term(rest.get(0)),
+            ExpressionSyntax.terms(rest.subList(1, rest.size())));
+      }
+      case "tell" -> {
+        expect(group, 2, 2, A_MESSAGE);
+        yield new Body.Tell(ExpressionSyntax.term(rest.get(0)), contents.content(rest.get(1)));
+      }
       case "assert" -> {
         group.expectOperands(1, "an effect");
         yield new Body.Assert(effects.effect(rest.get(0)));

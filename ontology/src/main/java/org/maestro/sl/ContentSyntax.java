@@ -66,7 +66,7 @@ final class ContentSyntax {
     return c == '"' || c == '\u201c' || c == '\u201d';
   }
 
-  private Content content(Node node) {
+  Content content(Node node) {
     if (!(node instanceof Node.Group group) || group.children().isEmpty()) {
       throw node.fault("a content element such as (initCNP ...)");
     }

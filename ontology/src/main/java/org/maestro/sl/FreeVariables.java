@@ -36,6 +36,26 @@ public final class FreeVariables {
     return Collections.unmodifiableSet(variables.found);
   }
 
+  public static Set<String> of(Content content) {
+    FreeVariables variables = new FreeVariables();
+    content.arguments().forEach(variables::visit);
+    return Collections.unmodifiableSet(variables.found);
+  }
+
+  private void visit(Content.Argument argument) {
+    if (argument instanceof Content.Argument.OfFormula ofFormula) {
+      visit(ofFormula.formula());
+    } else if (argument instanceof Content.Argument.OfTerm ofTerm) {
+      visit(ofTerm.term());
+    } else if (argument instanceof Content.Argument.OfEffect ofEffect) {
+      visit(ofEffect.effect());
+    } else if (argument instanceof Content.Argument.Nested nested) {
+      nested.content().arguments().forEach(this::visit);
+    } else if (argument instanceof Content.Argument.Named named) {
+      named.arguments().forEach(this::visit);
+    }
+  }
+
   public static Set<String> of(Fact fact) {
     FreeVariables variables = new FreeVariables();
     if (fact instanceof Fact.Holds holds) {

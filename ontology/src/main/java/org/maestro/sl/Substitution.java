@@ -112,6 +112,28 @@ public record Substitution(Map<String, Term> terms) {
     return new Effect.SenseNumber(apply(((Effect.SenseNumber) effect).fluent()));
   }
 
+  public Content apply(Content content) {
+    return new Content(content.operator(), applied(content.arguments()));
+  }
+
+  private List<Content.Argument> applied(List<Content.Argument> arguments) {
+    return arguments.stream().map(this::apply).toList();
+  }
+
+  private Content.Argument apply(Content.Argument argument) {
+    if (argument instanceof Content.Argument.OfFormula ofFormula) {
+      return new Content.Argument.OfFormula(apply(ofFormula.formula()));
+    } else if (argument instanceof Content.Argument.OfTerm ofTerm) {
+      return new Content.Argument.OfTerm(apply(ofTerm.term()));
+    } else if (argument instanceof Content.Argument.OfEffect ofEffect) {
+      return new Content.Argument.OfEffect(apply(ofEffect.effect()));
+    } else if (argument instanceof Content.Argument.Nested nested) {
+      return new Content.Argument.Nested(apply(nested.content()));
+    }
+    Content.Argument.Named named = (Content.Argument.Named) argument;
+    return new Content.Argument.Named(named.name(), applied(named.arguments()));
+  }
+
   public Fact apply(Fact fact) {
     if (fact instanceof Fact.Holds holds) {
       return new Fact.Holds(apply(holds.atom()));

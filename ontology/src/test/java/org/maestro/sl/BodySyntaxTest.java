@@ -45,6 +45,19 @@ class BodySyntaxTest {
             "(hold zone-a \"base\" (run light zone-a) (fail \"no\"))",
             new Body.Hold(ZONE, "base", List.of(RUN, FAIL))),
         Arguments.of(
+            "(say zone-a \"It is\" 3 ?x)",
+            new Body.Say(
+                ZONE, List.of(new Term.Text("It is"), new Term.Number(3), new Term.Variable("x")))),
+        Arguments.of(
+            "(tell CCA (initCNP (:goal (dark zone-a))))",
+            new Body.Tell(
+                new Term.Name("CCA"),
+                new Content(
+                    "initCNP",
+                    List.of(
+                        new Content.Argument.Named(
+                            "goal", List.of(new Content.Argument.OfFormula(DARK))))))),
+        Arguments.of(
             "(foreach (?l - Lamp) (dark zone-a) (run light zone-a))",
             new Body.ForEach(LAMP, DARK, RUN)),
         Arguments.of(
@@ -147,6 +160,11 @@ class BodySyntaxTest {
         "(run \"a\") | 6 | the name of a script | the string \"a\"",
         "(wait) | 6 | a condition or seconds | \")\"",
         "(wait long) | 7 | a number, a variable or a fluent in parentheses | \"long\"",
+        "(say Bob) | 9 | A SENTENCE | \")\"",
+        "(say Bob (a)) | 10 | a term | \"(a ...)\"",
+        "(tell CCA) | 10 | A MESSAGE | \")\"",
+        "(tell CCA (ping) (ping)) | 18 | \")\" | \"(ping ...)\"",
+        "(tell CCA ping) | 11 | a content element such as (initCNP ...) | \"ping\"",
         "(return) | 8 | a term | \")\"",
         "(fail no) | 7 | a text in quotes | \"no\"",
         "(fail \"no\") x | 13 | the end of the text | \"x\"",
@@ -156,6 +174,12 @@ class BodySyntaxTest {
         expected
             .replace(
                 "A STEP", "a step, such as (achieve (in Cup zone-a)) or (do move rose :to zone-a)")
+            .replace(
+                "A SENTENCE",
+                "a person or a room, and what is said, such as (say Bob \"The cup is in\" ?room)")
+            .replace(
+                "A MESSAGE",
+                "an agent and a message, such as (tell CCA (initCNP (:goal (in Cup zone-a))))")
             .replace(
                 "A SOURCE",
                 "what the variable stands for: (value (charge rose)), (one (?x - Thing) (in ?x"

@@ -135,6 +135,8 @@ final class SyntaxTrees {
         Combinators.combine(names(), terms(), Arbitraries.maps(names(), terms()).ofMaxSize(3))
             .as(Body.Do::new),
         runs().map(run -> run),
+        Combinators.combine(terms(), terms().list().ofMinSize(1).ofMaxSize(3)).as(Body.Say::new),
+        Combinators.combine(terms(), contents()).as(Body.Tell::new),
         effects().map(Body.Assert::new),
         formulas().map(Body.Await::new),
         Arbitraries.oneOf(numbers().map(Term.Number::new), names().map(Term.Variable::new))

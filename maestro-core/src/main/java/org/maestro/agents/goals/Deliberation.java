@@ -15,6 +15,7 @@ import org.maestro.agents.content.ArbitrationWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.negotiation.AclActionDispatcher;
 import org.maestro.agents.negotiation.AclContractNet;
+import org.maestro.agents.negotiation.AclMessenger;
 import org.maestro.agents.negotiation.Clients;
 import org.maestro.agents.negotiation.Contracts;
 import org.maestro.agents.negotiation.PermittedContractNet;
@@ -115,15 +116,16 @@ public final class Deliberation {
   private Ports ports(
       Clock clock, ContractNet contractNet, ActionDispatcher orders, Story story, Journal journal) {
     return new Ports(
-        mind.knowledge(),
-        mind.planner(),
-        contractNet,
-        orders,
-        new BesideTheAgent(clock, Duration.ZERO),
-        action -> agent.tell(() -> unlessEnded(action)),
-        clock,
-        story,
-        journal);
+            mind.knowledge(),
+            mind.planner(),
+            contractNet,
+            orders,
+            new BesideTheAgent(clock, Duration.ZERO),
+            action -> agent.tell(() -> unlessEnded(action)),
+            clock,
+            story,
+            journal)
+        .with(new AclMessenger(agent));
   }
 
   public Coordinator coordinator() {

@@ -184,9 +184,14 @@ public final class Conversations {
     return isOpen(message) || isLate(message);
   }
 
-  /** Nobody else may answer; but the platform does for an agent that is no more. */
+  /**
+   * Nobody else may answer; but the platform does for an agent that is no more. What an agent asks
+   * itself is no answer.
+   */
   private static boolean isFrom(AID partner, ACLMessage message) {
-    return partner.equals(message.getSender()) || Replies.isFromPlatform(message);
+    boolean isTheRequest = message.getConversationId().equals(message.getReplyWith());
+    return !isTheRequest
+        && (partner.equals(message.getSender()) || Replies.isFromPlatform(message));
   }
 
   public int openCount() {

@@ -24,11 +24,13 @@ public record Ports(
     Clock clock,
     Story story,
     Journal journal,
-    Duration comeback) {
+    Duration comeback,
+    Messenger messenger) {
 
   /** Twice the time in which members are to be back once their broker is. */
   public static final Duration USUAL_COMEBACK = Duration.ofSeconds(10);
 
+  /** Of a coordinator that speaks to nobody but its members. */
   public Ports(
       KnowledgeBase knowledge,
       Planner planner,
@@ -49,10 +51,11 @@ public record Ports(
         clock,
         story,
         journal,
-        USUAL_COMEBACK);
+        USUAL_COMEBACK,
+        Messenger.nobody());
   }
 
-  /** Of a coordinator that keeps no journal. */
+  /** Of one that keeps no journal either. */
   public Ports(
       KnowledgeBase knowledge,
       Planner planner,
@@ -67,50 +70,39 @@ public record Ports(
   }
 
   public Ports with(Planner other) {
-    return new Ports(
-        knowledge,
-        other,
-        contractNet,
-        dispatcher,
-        thinking,
-        owner,
-        clock,
-        story,
-        journal,
-        comeback);
+    return with(other, dispatcher, thinking, story, messenger);
   }
 
   public Ports with(ActionDispatcher other) {
-    return new Ports(
-        knowledge, planner, contractNet, other, thinking, owner, clock, story, journal, comeback);
+    return with(planner, other, thinking, story, messenger);
   }
 
   public Ports with(Story other) {
-    return new Ports(
-        knowledge,
-        planner,
-        contractNet,
-        dispatcher,
-        thinking,
-        owner,
-        clock,
-        other,
-        journal,
-        comeback);
+    return with(planner, dispatcher, thinking, other, messenger);
+  }
+
+  public Ports with(Messenger other) {
+    return with(planner, dispatcher, thinking, story, other);
   }
 
   /** For work that can wait a moment. */
   public Ports patient() {
+    return with(planner, dispatcher, thinking.patient(), story, messenger);
+  }
+
+  private Ports with(
+      Planner planning, ActionDispatcher orders, Thinking thoughts, Story told, Messenger spoken) {
     return new Ports(
         knowledge,
-        planner,
+        planning,
         contractNet,
-        dispatcher,
-        thinking.patient(),
+        orders,
+        thoughts,
         owner,
         clock,
-        story,
+        told,
         journal,
-        comeback);
+        comeback,
+        spoken);
   }
 }

@@ -22,6 +22,8 @@ public record StoryEntry(String goalId, Duration at, Kind kind, String text) {
     DONE,
     FAILED,
     LEARNT,
+    /** Somebody was told something, or asked. */
+    SAID,
     MISCONDUCT,
     REPLAN,
     CONFIRM,

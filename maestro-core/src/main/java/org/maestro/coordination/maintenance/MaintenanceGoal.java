@@ -123,7 +123,8 @@ public final class MaintenanceGoal implements ActiveGoal {
         ports.clock(),
         story::tellOfWork,
         attempts,
-        Duration.ZERO);
+        Duration.ZERO,
+        ports.messenger());
   }
 
   @Override

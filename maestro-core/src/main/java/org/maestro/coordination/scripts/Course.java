@@ -19,6 +19,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Resource;
+import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
@@ -28,6 +29,7 @@ import org.maestro.ontology.home.Script;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Body;
 import org.maestro.sl.Change;
+import org.maestro.sl.Content;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -258,6 +260,37 @@ final class Course {
     List<String> facts = known().changes(effect, Map.of()).stream().map(Course::fact).toList();
     ports.knowledge().state(new Source(Source.Kind.STATED, notes.partId(path)), facts);
     told.states(path, String.join(", ", facts));
+  }
+
+  /**
+   * What was done before is written down first, so that only this is said again after a restart.
+   *
+   * @param then told nothing when it is where people hear it, or else why not
+   */
+  void say(String path, String who, List<Term> words, Consumer<Optional<String>> then) {
+    Speech speech =
+        new Speech(notes.partId(path), who, Sentence.of(words, ports.knowledge().home()));
+    Consumer<Optional<String>> answered =
+        problem -> {
+          if (problem.isEmpty()) {
+            told.says(path, who, speech.text());
+          }
+          activeGoals.run(() -> then.accept(problem));
+        };
+    ports.journal().afterwards(() -> ports.messenger().say(speech, answered));
+  }
+
+  /**
+   * The same, of an agent and a message.
+   *
+   * @param then told nothing when the agent has taken it, or else why not
+   */
+  void tell(String path, String agent, Content message, Consumer<Optional<String>> then) {
+    told.tells(path, agent, SlPrinter.print(message));
+    Consumer<Optional<String>> answered = problem -> activeGoals.run(() -> then.accept(problem));
+    ports
+        .journal()
+        .afterwards(() -> ports.messenger().tell(notes.partId(path), agent, message, answered));
   }
 
   private static String fact(Change change) {

@@ -29,6 +29,8 @@ final class Parts {
       return RunScript.asAStep(run, scope, course, path, then);
     } else if (body instanceof Body.Achieve || body instanceof Body.Do) {
       return new Deed(body, scope, course, path, then);
+    } else if (body instanceof Body.Say || body instanceof Body.Tell) {
+      return new Telling(body, scope, course, path, then);
     } else if (body instanceof Body.Await || body instanceof Body.Pause) {
       return new Waiting(body, scope, course, path, then);
     }

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.maestro.sl.Content;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -36,6 +37,10 @@ record Scope(Map<String, Term> values, int depth) {
 
   List<Term> apply(List<Term> terms) {
     return terms.stream().map(this::apply).toList();
+  }
+
+  Content apply(Content content) {
+    return substitution().apply(content);
   }
 
   Formula apply(Formula formula) {

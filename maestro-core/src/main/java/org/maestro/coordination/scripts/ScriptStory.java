@@ -39,6 +39,14 @@ final class ScriptStory {
     tell(StoryEntry.Kind.LEARNT, path, "It is stated that " + facts + ".");
   }
 
+  void says(String path, String who, String text) {
+    tell(StoryEntry.Kind.SAID, path, "To %s: \"%s\"".formatted(who, text));
+  }
+
+  void tells(String path, String agent, String message) {
+    tell(StoryEntry.Kind.SAID, path, "The agent %s is told %s.".formatted(agent, message));
+  }
+
   /** What the goal for a part tells, as the script tells it. */
   Story of(String path) {
     return entry -> {

@@ -24,6 +24,7 @@ final class BodyCheck {
   private final Home home;
   private final CallCheck calls;
   private final HoldCheck holds;
+  private final SpeechCheck speech;
   private final TermFit fit;
   private final BiConsumer<String, String> problems;
 
@@ -34,6 +35,7 @@ final class BodyCheck {
     this.home = home;
     this.calls = new CallCheck(home, offers, problems);
     this.holds = new HoldCheck(home, offers, problems);
+    this.speech = new SpeechCheck(home, problems);
     this.fit = new TermFit(home);
     this.problems = problems;
   }
@@ -81,6 +83,15 @@ final class BodyCheck {
     } else if (body instanceof Body.Hold hold) {
       names.check(hold.member());
       holds.check(hold, variables);
+    } else if (body instanceof Body.Say say) {
+      names.check(say.who());
+      say.words().forEach(names::check);
+      speech.hears(say.who(), variables);
+    } else if (body instanceof Body.Tell tell) {
+      if (tell.agent() instanceof Term.Variable) {
+        names.check(tell.agent());
+      }
+      speech.check(tell, variables);
     } else if (body instanceof Body.Do call) {
       names.check(call.member());
       call.parameters().values().forEach(names::check);

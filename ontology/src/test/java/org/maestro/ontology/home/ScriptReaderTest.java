@@ -109,6 +109,10 @@ class ScriptReaderTest {
         "(let ?given (run dim zone-a 0.5) (achieve (in Cup ?given)))",
         "(hold rose \\\"arm\\\" (wait 30) (achieve (in rose zone-a)))",
         "(while (open door-ab) (hold rose \\\"base\\\"))",
+        "(say room-a \\\"Good night.\\\")",
+        "(foreach (?p - Person) (in ?p zone-a) (say ?p \\\"Hello,\\\" ?p))",
+        "(tell CCA (initCNP (:goal (canSee ?agent Cup))))",
+        "(tell somebody (whatever it \\\"is\\\"))",
         "(foreach (?r - RechargingRobot) (in ?r zone-a) (hold ?r \\\"base\\\" (wait 30)))",
       })
   void whatIsFine(String body) {
@@ -229,6 +233,18 @@ class ScriptReaderTest {
         "(hold ros \\\"base\\\" (wait 1)) | body names ros, which is not described; write rose",
         "(hold rose \\\"base\\\" (do moove rose)) | body calls the unknown feature moove",
         "(hold rose \\\"base\\\" (wait 1) (run faulty ?room ?who)) | body runs itself without an end",
+        // what is said
+        "(say Cup \\\"Hello.\\\") | body speaks to Cup, which is neither a person nor a room;"
+            + " name one that is a maestro:Listener, such as ",
+        "(say ?room \\\"Hello.\\\") | body speaks to ?room, which is neither a person nor a room",
+        "(say Bop \\\"Hello.\\\") | body names Bop, which is not described; write Bob",
+        "(say Bob ?whom) | body uses ?whom, which nothing binds; write ?who",
+        "(tell 7 (ping)) | body tells 7 something, which is no agent; write the name of an agent",
+        "(tell ?x (ping)) | body uses ?x, which nothing binds",
+        "(tell CCA (initCNP (:goal (nextTo Cup ?whom))))"
+            + " | body uses ?whom in a message, which nothing binds; write ?who, if that is meant",
+        "(tell CCA (initCNP (:goal (nextTo Cup)) | body \"(tell CCA (initCNP (:goal (nextTo Cup))\""
+            + " is not MAESTRO-SL",
         "(do adjustLight lamp-a1 :level ?room) | body gives ?room for :level of adjustLight",
       })
   void aFaultyBody(String body, String expected) {

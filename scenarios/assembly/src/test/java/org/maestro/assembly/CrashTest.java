@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -37,6 +38,11 @@ class CrashTest {
   private static final List<String> GOALS =
       List.of("(nextTo Cup Bob)", "(canSee ?agent Cup)", "(>= (illuminance zone-a) 75)");
   private static final String SCRIPT = "(evening zone-a)";
+
+  /** What is said and told in it; once more by who died before it was written down. */
+  private static final List<String> LETTERS =
+      List.of("G1.3 The robot is in room A.", "G1.4 (ping (:room zone-a))");
+
   private static Home home;
   private static Scene scene;
 
@@ -146,6 +152,8 @@ class CrashTest {
             """
             (seq (achieve (>= (illuminance zone-b) 72))
               (do move rose :to ?room)
+              (say Bob "The robot is in" ?room ".")
+              (tell CCA (ping (:room ?room)))
               (par (do adjustLight lamp-a1 :level 0.5) (do adjustLight lamp-a2 :level 0.25))
               (let ?dim (one (?l - Lamp) (= (level ?l) 0.5))
                 (if (> (illuminance ?room) 1000)
@@ -215,6 +223,10 @@ class CrashTest {
       assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
       assertThat(site.witness.executedTwice()).as(context).isEmpty();
       if (accepted) {
+        assertThat(new LinkedHashSet<>(site.letters))
+            .as(context)
+            .containsExactlyElementsOf(LETTERS);
+        assertThat(site.letters).as(context).hasSizeLessThanOrEqualTo(LETTERS.size() + 1);
         assertThat(site.witness.doneTwice(Set.of("move", "adjustLight"))).as(context).isEmpty();
         assertThat(site.world().lampLevel("lamp-a1")).as(context).isEqualTo(0.75);
         assertThat(site.world().lampLevel("lamp-a2")).as(context).isZero();

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
@@ -16,7 +17,9 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
+import org.maestro.coordination.api.Messenger;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -33,7 +36,9 @@ import org.maestro.rats.transport.Transport;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.world.World;
+import org.maestro.sl.Content;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 
 /**
  * A site without agents whose coordinator dies and is started again, while its devices live on. On
@@ -49,6 +54,7 @@ final class MortalSite implements AutoCloseable {
   final Map<String, GoalOutcome> outcomes = new LinkedHashMap<>();
   final List<String> accepted = new ArrayList<>();
   final List<StoryEntry> story = new ArrayList<>();
+  final List<String> letters = new ArrayList<>();
   final BusWitness witness = BusWitness.listen(bus.client("witness"), SITE);
   private final Home home;
   private final Path data;
@@ -152,15 +158,16 @@ final class MortalSite implements AutoCloseable {
       coordinator =
           new Coordinator(
               new Ports(
-                  knowledge,
-                  new OptimalPlanner(),
-                  new LinkContractNet(deputies),
-                  new LinkActionDispatcher(deputies, link),
-                  new InTurn(),
-                  action -> clock.schedule(Duration.ZERO, CONTROLLER, () -> unlessDead(action)),
-                  clock,
-                  story::add,
-                  journal));
+                      knowledge,
+                      new OptimalPlanner(),
+                      new LinkContractNet(deputies),
+                      new LinkActionDispatcher(deputies, link),
+                      new InTurn(),
+                      action -> clock.schedule(Duration.ZERO, CONTROLLER, () -> unlessDead(action)),
+                      clock,
+                      story::add,
+                      journal)
+                  .with(new Letters()));
       file.recovery().ended().forEach(goal -> outcomes.put(goal.outcome().id(), goal.outcome()));
       coordinator.resume(
           file.recovery(), Duration.ofSeconds(10), outcome -> outcomes.put(outcome.id(), outcome));
@@ -183,6 +190,25 @@ final class MortalSite implements AutoCloseable {
       dead = true;
       transport.die();
       file.close();
+    }
+
+    /** What was said stays so whoever dies. */
+    private final class Letters implements Messenger {
+      @Override
+      public void say(Speech speech, Consumer<Optional<String>> then) {
+        send(speech.part() + " " + speech.text(), then);
+      }
+
+      @Override
+      public void tell(
+          String part, String agent, Content message, Consumer<Optional<String>> then) {
+        send(part + " " + SlPrinter.print(message), then);
+      }
+
+      private void send(String letter, Consumer<Optional<String>> then) {
+        unlessDead(() -> letters.add(letter));
+        clock.schedule(DECISION, CONTROLLER, () -> unlessDead(() -> then.accept(Optional.empty())));
+      }
     }
 
     private final class LastWords implements Journal {

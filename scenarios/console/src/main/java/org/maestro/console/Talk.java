@@ -45,9 +45,10 @@ final class Talk implements AutoCloseable {
     return news;
   }
 
-  /** From now on it is told how goals fare. */
+  /** From now on it is told how goals fare, and what scripts say. */
   void begin() {
     platform.onStory(stories);
+    platform.desk().whenSaid(chat::hear);
     rounds = List.of(news.begin());
   }
 

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.time.Duration;
+import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.StreamSupport;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterAll;
@@ -24,7 +26,13 @@ class ChatPageTest {
 
   @BeforeAll
   static void start() {
-    home = ServedHome.start();
+    home =
+        ServedHome.startWithMore(
+            """
+
+            home:greet a maestro:Script ; maestro:arguments ( "?who - Person" "?room - Room" ) ;
+              maestro:body \"""(seq (say ?who "Hello," ?who ".") (say ?room "It is dark."))\""" .
+            """);
   }
 
   @AfterAll
@@ -50,11 +58,26 @@ class ChatPageTest {
         .until(() -> find(after, kind), found -> !found.isMissingNode());
   }
 
+  /** The same, of a goal: those of other tests may still be under way. */
+  private static JsonNode answer(long after, String kind, String goal) {
+    return Awaitility.await()
+        .atMost(LIMIT)
+        .until(
+            () -> find(after, kind, entry -> entry.path("goal").asText().equals(goal)),
+            found -> !found.isMissingNode());
+  }
+
   private static JsonNode find(long after, String kind) throws Exception {
+    return find(after, kind, entry -> true);
+  }
+
+  private static JsonNode find(long after, String kind, Predicate<JsonNode> wanted)
+      throws Exception {
     JsonNode entries = home.get("/chat").document().path("entries");
     return StreamSupport.stream(entries.spliterator(), false)
         .filter(entry -> entry.path("number").asLong() > after)
         .filter(entry -> entry.path("kind").asText().equals(kind))
+        .filter(wanted)
         .findFirst()
         .orElse(entries.path("none"));
   }
@@ -69,8 +92,7 @@ class ChatPageTest {
     JsonNode understood = answer(number, "understood");
     assertThat(understood.path("text").asText()).isEqualTo("(>= (illuminance zone-a) 40)");
     String goal = understood.path("goal").asText();
-    JsonNode reached = answer(number, "reached");
-    assertThat(reached.path("goal").asText()).isEqualTo(goal);
+    JsonNode reached = answer(number, "reached", goal);
     assertThat(reached.path("text").asText()).startsWith("Reached");
     home.assertValid(home.get("/chat").document(), "chat");
 
@@ -90,6 +112,30 @@ class ChatPageTest {
 
     long third = say("Bob", "room-a", "? in rose").document().path("number").asLong();
     assertThat(answer(third, "told").path("text").asText()).matches("Yes: p is zone-[ab].*");
+  }
+
+  @Test
+  void whatAScriptSaysIsHeardByThePersonAndInTheRoom() throws Exception {
+    String goal = home.state("(greet Bob room-b)");
+
+    Awaitility.await().atMost(LIMIT).until(() -> spoken(goal).size() == 2);
+    assertThat(spoken(goal))
+        .extracting(entry -> entry.path("person").asText() + "/" + entry.path("room").asText())
+        .containsExactly("Bob/null", "null/room-b");
+    assertThat(spoken(goal))
+        .extracting(entry -> entry.path("text").asText())
+        .containsExactly("Hello, Bob.", "It is dark.");
+    home.assertValid(home.get("/chat").document(), "chat");
+    assertThat(home.get("/goals/" + goal + "/story").document().toString())
+        .contains("\"kind\":\"said\"")
+        .contains("To Bob: \\\"Hello, Bob.\\\"");
+  }
+
+  private static List<JsonNode> spoken(String goal) throws Exception {
+    return StreamSupport.stream(home.get("/chat").document().path("entries").spliterator(), false)
+        .filter(entry -> entry.path("kind").asText().equals("spoken"))
+        .filter(entry -> entry.path("goal").asText().equals(goal))
+        .toList();
   }
 
   @ParameterizedTest

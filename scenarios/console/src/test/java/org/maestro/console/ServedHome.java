@@ -92,6 +92,23 @@ final class ServedHome implements AutoCloseable {
         Optional.empty());
   }
 
+  /**
+   * The same with more in its home.
+   *
+   * @param turtle what is added, such as scripts
+   */
+  static ServedHome startWithMore(String turtle) {
+    Home home = new HomeLoader().load(resource("/homes/bob.ttl") + turtle, "bob-and-more.ttl");
+    return start(
+        NAME,
+        home,
+        settings -> {},
+        Optional.empty(),
+        Serving.onLoopback(0),
+        HttpClient.newHttpClient(),
+        ServedHome::truth);
+  }
+
   /** The same, of which nobody tells what is true. */
   static ServedHome startUntrue() {
     Home home = new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl");

@@ -15,6 +15,7 @@ import org.maestro.console.documents.ShownText;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
+import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.validation.Nearest;
@@ -83,11 +84,7 @@ public final class Chat implements Source {
   }
 
   private String known(String name, String className, String what) {
-    List<String> names =
-        home.get().individuals().values().stream()
-            .filter(one -> one.classes().contains(className))
-            .map(Individual::name)
-            .toList();
+    List<String> names = names(className);
     if (!names.contains(name)) {
       throw RefusalException.badInput(
           "This home has no %s %s; %s."
@@ -102,12 +99,27 @@ public final class Chat implements Source {
     return name;
   }
 
+  private List<String> names(String className) {
+    return home.get().individuals().values().stream()
+        .filter(one -> one.classes().contains(className))
+        .map(Individual::name)
+        .toList();
+  }
+
   /** Hands it over; returned is the number under which it is kept. */
   private JsonNode say(Utterance utterance) {
     long number = add(ChatEntry.said(utterance, wall.instant()));
     partner(utterance.person())
         .hear(utterance, event -> add(ChatEntry.of(event, utterance, wall.instant())));
     return JsonNodeFactory.instance.objectNode().put("number", number);
+  }
+
+  /** Somebody who is no person says something: to one, or in a room. */
+  public void hear(Speech speech) {
+    boolean isForOne = names(PERSON).contains(speech.to());
+    add(
+        ChatEntry.spoken(
+            speech, isForOne ? speech.to() : "", isForOne ? "" : speech.to(), wall.instant()));
   }
 
   private synchronized Interlocutor partner(String person) {

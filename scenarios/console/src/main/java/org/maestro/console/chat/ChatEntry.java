@@ -3,6 +3,7 @@ package org.maestro.console.chat;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.Speech;
 
 /**
  * Something that was said in a conversation.
@@ -45,6 +46,17 @@ record ChatEntry(
     }
     ChatEvent.Misunderstood wrong = (ChatEvent.Misunderstood) event;
     return entry(utterance, at, "misunderstood", Optional.empty(), wrong.text(), wrong.near());
+  }
+
+  /**
+   * What a script says.
+   *
+   * @param person to whom; "" to all who are in the room
+   * @param room in which; "" wherever the person is
+   */
+  static ChatEntry spoken(Speech speech, String person, String room, Instant at) {
+    return new ChatEntry(
+        at, person, room, "spoken", Optional.of(speech.goalId()), speech.text(), List.of());
   }
 
   private static ChatEntry entry(

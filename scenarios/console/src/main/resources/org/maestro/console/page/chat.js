@@ -7,10 +7,10 @@ import { clockTime } from "./past.js";
 const MOST = 2000;
 const MOST_SHOWN = 200;
 const SIGNS = {
-  understood: ["▷", ""], told: ["·", "quiet"], asked: ["?", "wait"], reached: ["✓", "good"], ended: ["✗", "bad"], misunderstood: ["✗", "bad"],
+  spoken: ["❝", ""], understood: ["▷", ""], told: ["·", "quiet"], asked: ["?", "wait"], reached: ["✓", "good"], ended: ["✗", "bad"], misunderstood: ["✗", "bad"],
 };
 const WORDS = {
-  understood: "Understood", told: "", asked: "Asked back", reached: "Done", ended: "Not done", misunderstood: "Not understood",
+  spoken: "", understood: "Understood", told: "", asked: "Asked back", reached: "Done", ended: "Not done", misunderstood: "Not understood",
 };
 
 let entries = [];
@@ -73,9 +73,10 @@ function examples(person) {
     "; with a question mark it is asked: ", offer(`? in ${item.name}`)] : ".";
 }
 
-function drawLines(person) {
-  const its = entries.filter((entry) => entry.person === person).slice(-MOST_SHOWN);
-  const now = `${person} ${its.length} ${its.at(-1)?.number} ${state.home.label}`;
+/** What is said in the room is for all who are there. */
+function drawLines(person, room) {
+  const its = entries.filter((entry) => (entry.person === null ? entry.room === room : entry.person === person)).slice(-MOST_SHOWN);
+  const now = `${person} ${room} ${its.length} ${its.at(-1)?.number} ${state.home.label}`;
   if (drawn === now) {
     return;
   }
@@ -103,7 +104,7 @@ export function drawChat() {
   problem.textContent = person === null ? "This home has no person; whoever is to speak here has to be in its description."
     : rooms.length === 0 ? "This home has no room; where somebody speaks has to be in its description." : "";
   problem.hidden = problem.textContent === "";
-  drawLines(person);
+  drawLines(person, byId("chat-room").value);
 }
 
 async function say(event) {

@@ -1,0 +1,35 @@
+package org.maestro.coordination;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.maestro.coordination.api.Messenger;
+import org.maestro.coordination.api.Speech;
+import org.maestro.sl.Content;
+import org.maestro.sl.SlPrinter;
+
+/** Keeps what is said, and what agents are told; some take nothing. */
+final class Letters implements Messenger {
+  final List<Speech> said = new ArrayList<>();
+  final List<String> told = new ArrayList<>();
+  final Set<String> deaf = new TreeSet<>();
+
+  @Override
+  public void say(Speech speech, Consumer<Optional<String>> then) {
+    said.add(speech);
+    then.accept(answer(speech.to()));
+  }
+
+  @Override
+  public void tell(String part, String agent, Content message, Consumer<Optional<String>> then) {
+    told.add("%s %s %s".formatted(part, agent, SlPrinter.print(message)));
+    then.accept(answer(agent));
+  }
+
+  private Optional<String> answer(String who) {
+    return Optional.of(who + " is deaf.").filter(problem -> deaf.contains(who));
+  }
+}

@@ -1,0 +1,70 @@
+package org.maestro.ontology.home;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import org.maestro.ontology.validation.Nearest;
+import org.maestro.sl.Body;
+import org.maestro.sl.FreeVariables;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * Checks what a script says to whom: to persons and rooms, and in messages of which each variable
+ * that looks like one of the script's is one.
+ */
+final class SpeechCheck {
+  private static final List<String> WHO_HEARS = List.of("Listener");
+
+  private final Home home;
+  private final TermFit fit;
+  private final BiConsumer<String, String> problems;
+
+  SpeechCheck(Home home, BiConsumer<String, String> problems) {
+    this.home = home;
+    this.fit = new TermFit(home);
+    this.problems = problems;
+  }
+
+  /**
+   * @param variables those that can be used, with their classes and datatypes
+   */
+  void hears(Term who, Map<String, List<String>> variables) {
+    if (!fit.fits(who, WHO_HEARS, variables)) {
+      problems.accept(
+          "speaks to %s, which is neither a person nor a room".formatted(SlPrinter.print(who)),
+          "name one that is a maestro:Listener" + example());
+    }
+  }
+
+  private String example() {
+    return home.individuals().values().stream()
+        .filter(one -> one.classes().containsAll(WHO_HEARS))
+        .findFirst()
+        .map(one -> ", such as " + one.name())
+        .orElse("");
+  }
+
+  /** Agents come and go, and what they take is their matter: that is told when it is sent. */
+  void check(Body.Tell tell, Map<String, List<String>> variables) {
+    if (!(tell.agent() instanceof Term.Name || tell.agent() instanceof Term.Text)
+        && !(tell.agent() instanceof Term.Variable)) {
+      problems.accept(
+          "tells %s something, which is no agent".formatted(SlPrinter.print(tell.agent())),
+          "write the name of an agent, such as CCA");
+    }
+    FreeVariables.of(tell.message()).stream()
+        .filter(name -> !variables.containsKey(name))
+        .forEach(name -> slip(name, variables));
+  }
+
+  /** What nothing binds is open in the message, as in any; but not where it is nearly a name. */
+  private void slip(String name, Map<String, List<String>> variables) {
+    Nearest.to(name, variables.keySet())
+        .ifPresent(
+            other ->
+                problems.accept(
+                    "uses ?%s in a message, which nothing binds".formatted(name),
+                    "write ?%s, if that is meant, or else another name".formatted(other)));
+  }
+}
