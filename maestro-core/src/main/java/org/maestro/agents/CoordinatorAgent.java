@@ -218,6 +218,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
         case "inform" -> memberNews(message, words, content);
         case "yield" -> deliberation.askedToYield(message, words);
         case "cancel" -> requests.cancel(message, words);
+        case "answer" -> requests.answer(message, words);
         case "explain" -> requests.explain(message, words);
         case "subscribe" -> requests.subscribe(message, words);
         case "query-ref" -> requests.list(message, words);
@@ -229,7 +230,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, await, cancel, explain, subscribe, query-ref and"
+                    + "; it knows initCNP, await, cancel, answer, explain, subscribe, query-ref and"
                     + " perform.");
       }
     }

@@ -3,9 +3,11 @@ package org.maestro.agents;
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
@@ -35,21 +37,35 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   public static final Duration NO_END = Duration.ofDays(365);
 
   private static final int QUESTIONS_KEPT = 256;
+  private static final int SPEECHES_KEPT = 200;
 
   private final transient KnowledgeCache knowledge = new KnowledgeCache(this, QUESTIONS_KEPT);
 
-  private final transient List<Consumer<Speech>> listeners = new CopyOnWriteArrayList<>();
+  private final transient List<Consumer<Speech>> listeners = new ArrayList<>();
+  private final transient Deque<Speech> recent = new ArrayDeque<>();
 
   public DeskAgent(AgentTime time) {
     super(time);
   }
 
   /**
-   * Has the listener told, on this agent's thread, of what people are to hear. What is said before
-   * nobody hears by it.
+   * Has the listener told, on this agent's thread, of what people are to hear, and of the latest
+   * that was said before, as while the platform took up what it was at before a restart.
    */
   public void whenSaid(Consumer<Speech> listener) {
-    listeners.add(listener);
+    tell(
+        () -> {
+          recent.forEach(listener);
+          listeners.add(listener);
+        });
+  }
+
+  private void said(Speech speech) {
+    recent.addLast(speech);
+    if (recent.size() > SPEECHES_KEPT) {
+      recent.removeFirst();
+    }
+    listeners.forEach(listener -> listener.accept(speech));
   }
 
   @Override
@@ -57,7 +73,7 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
     for (Content content : Words.parse(message.getContent())) {
       Optional<Speech> speech = SpeechWords.read(content);
       if (speech.isPresent()) {
-        listeners.forEach(listener -> listener.accept(speech.get()));
+        said(speech.get());
         reply(
             message,
             ACLMessage.INFORM,

@@ -17,6 +17,7 @@ import org.maestro.coordination.achievement.FeatureCall;
 import org.maestro.coordination.agenda.Beginnings;
 import org.maestro.coordination.agenda.EntryGoal;
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
@@ -410,6 +411,29 @@ public final class Coordinator {
     }
     activeGoals.run(() -> pursuit.cancel(who));
     return true;
+  }
+
+  /**
+   * Takes an answer to a question that a script has asked. One that is not what was asked for
+   * leaves the question open.
+   *
+   * @param part of the script that asked, such as G7.2
+   * @param then told once: nothing when it was taken and would survive the end of the process, or
+   *     else why it was not
+   */
+  public void answer(String part, String text, Consumer<Optional<AnswerRefusal>> then) {
+    activeGoals.run(
+        () -> {
+          Optional<AnswerRefusal> refusal =
+              GoalId.isPart(part) && pursuits.get(GoalId.whole(part)) instanceof ScriptGoal script
+                  ? script.answer(part, text)
+                  : Optional.of(AnswerRefusal.notOpen(part));
+          if (refusal.isEmpty()) {
+            ports.journal().afterwards(() -> then.accept(refusal));
+          } else {
+            then.accept(refusal);
+          }
+        });
   }
 
   public void memberPresent(String member) {

@@ -132,6 +132,24 @@ public sealed interface Body {
     }
   }
 
+  /**
+   * A question to a person, or to all who are in a room; the first answer counts.
+   *
+   * @param words what is asked, one after the other; of a thing its label
+   * @param answer stands for the answer in the parts; without a class for a text
+   */
+  record Ask(Term who, List<Term> words, TypedVariable answer, List<Body> parts) implements Body {
+    public Ask {
+      words = List.copyOf(words);
+      parts = List.copyOf(parts);
+    }
+
+    /** The class or datatype of which the answer is to be. */
+    public String type() {
+      return answer.className().orElse("string");
+    }
+  }
+
   /** A message for another agent; what comes of it is that agent's matter. */
   record Tell(Term agent, Content message) implements Body {}
 

@@ -11,7 +11,7 @@ final class BodyPrinter {
 
   static String print(Body body) {
     if (body instanceof Body.Seq seq) {
-      return group("seq", printed(seq.parts()));
+      return group("seq", inTurn(seq.parts()));
     } else if (body instanceof Body.Par par) {
       return group("par", printed(par.parts()));
     } else if (body instanceof Body.If choice) {
@@ -28,7 +28,7 @@ final class BodyPrinter {
           parts(variable(each.variable()), SlPrinter.print(each.condition()), print(each.body())));
     } else if (body instanceof Body.Let let) {
       List<String> parts = parts("?" + let.variable(), print(let.source()));
-      parts.addAll(printed(let.parts()));
+      parts.addAll(inTurn(let.parts()));
       return group("let", parts);
     } else if (body instanceof Body.Try attempt) {
       List<String> parts = parts(print(attempt.body()));
@@ -43,12 +43,16 @@ final class BodyPrinter {
     } else if (body instanceof Body.Hold hold) {
       List<String> parts =
           parts(SlPrinter.print(hold.member()), SlPrinter.print(new Term.Text(hold.component())));
-      parts.addAll(printed(hold.parts()));
+      parts.addAll(inTurn(hold.parts()));
       return group("hold", parts);
     } else if (body instanceof Body.Say say) {
       List<String> parts = parts(SlPrinter.print(say.who()));
       say.words().forEach(word -> parts.add(SlPrinter.print(word)));
       return group("say", parts);
+    } else if (body instanceof Body.Ask ask) {
+      List<String> parts = question(ask);
+      parts.addAll(inTurn(ask.parts()));
+      return group("ask", parts);
     } else if (body instanceof Body.Run run) {
       return print((Body.Source) run);
     }
@@ -93,6 +97,32 @@ final class BodyPrinter {
 
   private static String variable(TypedVariable variable) {
     return "(" + SlPrinter.print(variable) + ")";
+  }
+
+  private static List<String> question(Body.Ask ask) {
+    List<String> parts = parts(SlPrinter.print(ask.who()));
+    ask.words().forEach(word -> parts.add(SlPrinter.print(word)));
+    parts.add("?" + ask.answer().name());
+    ask.answer().className().ifPresent(parts::add);
+    return parts;
+  }
+
+  /** The steps of a question that is the last of several are written after it. */
+  private static List<String> inTurn(List<Body> bodies) {
+    List<String> printed = new ArrayList<>();
+    List<Body> left = bodies;
+    while (!left.isEmpty()) {
+      int last = left.size() - 1;
+      printed.addAll(printed(left.subList(0, last)));
+      if (left.get(last) instanceof Body.Ask ask) {
+        printed.add(group("ask", question(ask)));
+        left = ask.parts();
+      } else {
+        printed.add(print(left.get(last)));
+        left = List.of();
+      }
+    }
+    return printed;
   }
 
   private static List<String> printed(List<Body> bodies) {

@@ -1,6 +1,8 @@
 package org.maestro.sl;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +23,9 @@ final class BodySyntax {
 
   private static final String A_SENTENCE =
       "a person or a room, and what is said, such as (say Bob \"The cup is in\" ?room)";
+  private static final String A_QUESTION =
+      "a person or a room, what is asked, a variable for the answer, and perhaps its class, such as"
+          + " (ask Bob \"Which room?\" ?room Zone)";
   private static final String A_MESSAGE =
       "an agent and a message, such as (tell CCA (initCNP (:goal (in Cup zone-a))))";
 
@@ -40,8 +45,11 @@ final class BodySyntax {
     }
     List<Node> rest = group.children().isEmpty() ? List.of() : group.rest();
     return switch (group.head()) {
-      case "seq" -> new Body.Seq(bodies(group, rest));
-      case "par" -> new Body.Par(bodies(group, rest));
+      case "seq" -> new Body.Seq(inTurn(group, rest));
+      case "par" -> {
+        expect(group, 1, Integer.MAX_VALUE, A_STEP);
+        yield new Body.Par(rest.stream().map(this::body).toList());
+      }
       case "if" -> {
         expect(group, 2, 3, "a condition, a step, and perhaps another");
         yield new Body.If(
@@ -58,7 +66,7 @@ final class BodySyntax {
       case "let" -> {
         expect(group, 2, Integer.MAX_VALUE, "a variable, what it stands for, and steps");
         yield new Body.Let(
-            name(rest.get(0)), source(rest.get(1)), bodies(group, rest.subList(2, rest.size())));
+            name(rest.get(0)), source(rest.get(1)), inTurn(group, rest.subList(2, rest.size())));
       }
       case "try" -> attempt(group, rest);
       case "achieve" -> {
@@ -76,6 +84,10 @@ final class BodySyntax {
         yield new Body.Say(
             ExpressionSyntax.term(rest.get(0)),
             ExpressionSyntax.terms(rest.subList(1, rest.size())));
+      }
+      case "ask" -> {
+        expect(group, 3, Integer.MAX_VALUE, A_QUESTION);
+        yield question(group, rest);
       }
       case "tell" -> {
         expect(group, 2, 2, A_MESSAGE);
@@ -103,11 +115,54 @@ final class BodySyntax {
     };
   }
 
-  private List<Body> bodies(Node.Group group, List<Node> nodes) {
+  private List<Body> inTurn(Node.Group group, List<Node> nodes) {
     if (nodes.isEmpty()) {
       throw new SlSyntaxException(group.end(), A_STEP, "\")\"");
     }
-    return nodes.stream().map(this::body).toList();
+    return inTurn(nodes);
+  }
+
+  /** What comes after a question without steps of its own are its steps: they know the answer. */
+  private List<Body> inTurn(List<Node> nodes) {
+    Deque<Body> steps = new ArrayDeque<>();
+    for (int at = nodes.size() - 1; at >= 0; at--) {
+      Body step = body(nodes.get(at));
+      if (step instanceof Body.Ask ask && ask.parts().isEmpty() && !steps.isEmpty()) {
+        Body whole = new Body.Ask(ask.who(), ask.words(), ask.answer(), List.copyOf(steps));
+        steps.clear();
+        steps.push(whole);
+      } else {
+        steps.push(step);
+      }
+    }
+    return List.copyOf(steps);
+  }
+
+  private Body question(Node.Group group, List<Node> rest) {
+    int end = 0;
+    while (end < rest.size() && rest.get(end) instanceof Node.Leaf) {
+      end++;
+    }
+    boolean isTyped = end > 1 && isOf(Node.Kind.WORD, rest.get(end - 1));
+    int variable = isTyped ? end - 2 : end - 1;
+    if (variable < 2 || !isOf(Node.Kind.VARIABLE, rest.get(variable))) {
+      throw end < rest.size()
+          ? rest.get(end).fault(A_QUESTION)
+          : new SlSyntaxException(group.end(), A_QUESTION, "\")\"");
+    }
+    Optional<String> type =
+        isTyped
+            ? Optional.of(ExpressionSyntax.name(rest.get(end - 1), "a class"))
+            : Optional.empty();
+    return new Body.Ask(
+        ExpressionSyntax.term(rest.get(0)),
+        ExpressionSyntax.terms(rest.subList(1, variable)),
+        new TypedVariable(name(rest.get(variable)), type),
+        inTurn(rest.subList(end, rest.size())));
+  }
+
+  private static boolean isOf(Node.Kind kind, Node node) {
+    return node instanceof Node.Leaf leaf && leaf.kind() == kind;
   }
 
   private Body repeated(Node.Group group, List<Node> rest) {
@@ -191,7 +246,7 @@ final class BodySyntax {
     return new Body.Hold(
         ExpressionSyntax.term(rest.get(0)),
         text(rest.get(1)),
-        rest.subList(2, rest.size()).stream().map(this::body).toList());
+        inTurn(rest.subList(2, rest.size())));
   }
 
   private static Body.Run run(Node.Group group, List<Node> rest) {

@@ -49,6 +49,30 @@ class BodySyntaxTest {
             new Body.Say(
                 ZONE, List.of(new Term.Text("It is"), new Term.Number(3), new Term.Variable("x")))),
         Arguments.of(
+            "(ask ?who \"Where is\" zone-a \"?\" ?room Zone (run light zone-a))",
+            new Body.Ask(
+                new Term.Variable("who"),
+                List.of(new Term.Text("Where is"), ZONE, new Term.Text("?")),
+                new TypedVariable("room", Optional.of("Zone")),
+                List.of(RUN))),
+        Arguments.of(
+            "(ask zone-a \"Well?\" ?it)",
+            new Body.Ask(
+                ZONE,
+                List.of(new Term.Text("Well?")),
+                new TypedVariable("it", Optional.empty()),
+                List.of())),
+        Arguments.of(
+            "(seq (run light zone-a) (ask zone-a ?text ?n) (run light zone-a) (fail \"no\"))",
+            new Body.Seq(
+                List.of(
+                    RUN,
+                    new Body.Ask(
+                        ZONE,
+                        List.of(new Term.Variable("text")),
+                        new TypedVariable("n", Optional.empty()),
+                        List.of(RUN, FAIL))))),
+        Arguments.of(
             "(tell CCA (initCNP (:goal (dark zone-a))))",
             new Body.Tell(
                 new Term.Name("CCA"),
@@ -162,6 +186,10 @@ class BodySyntaxTest {
         "(wait long) | 7 | a number, a variable or a fluent in parentheses | \"long\"",
         "(say Bob) | 9 | A SENTENCE | \")\"",
         "(say Bob (a)) | 10 | a term | \"(a ...)\"",
+        "(ask Bob \"Well?\") | 17 | A QUESTION | \")\"",
+        "(ask Bob ?x Zone (a)) | 18 | A QUESTION | \"(a ...)\"",
+        "(ask Bob \"Well?\" Zone Lamp) | 27 | A QUESTION | \")\"",
+        "(ask Bob \"Well?\" ?x (a)) | 21 | A STEP | \"(a ...)\"",
         "(tell CCA) | 10 | A MESSAGE | \")\"",
         "(tell CCA (ping) (ping)) | 18 | \")\" | \"(ping ...)\"",
         "(tell CCA ping) | 11 | a content element such as (initCNP ...) | \"ping\"",
@@ -177,6 +205,10 @@ class BodySyntaxTest {
             .replace(
                 "A SENTENCE",
                 "a person or a room, and what is said, such as (say Bob \"The cup is in\" ?room)")
+            .replace(
+                "A QUESTION",
+                "a person or a room, what is asked, a variable for the answer, and perhaps its"
+                    + " class, such as (ask Bob \"Which room?\" ?room Zone)")
             .replace(
                 "A MESSAGE",
                 "an agent and a message, such as (tell CCA (initCNP (:goal (in Cup zone-a))))")

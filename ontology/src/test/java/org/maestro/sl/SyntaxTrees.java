@@ -126,7 +126,18 @@ final class SyntaxTrees {
   }
 
   static Arbitrary<Body> bodies() {
-    return Arbitraries.recursive(SyntaxTrees::steps, SyntaxTrees::bodiesOf, 0, 3);
+    return Arbitraries.oneOf(
+        Arbitraries.recursive(SyntaxTrees::steps, SyntaxTrees::bodiesOf, 0, 3),
+        questions(Arbitraries.just(List.of())));
+  }
+
+  private static Arbitrary<Body> questions(Arbitrary<List<Body>> parts) {
+    return Combinators.combine(
+            terms(),
+            terms().list().ofMinSize(1).ofMaxSize(3),
+            Combinators.combine(names(), names().optional()).as(TypedVariable::new),
+            parts)
+        .as(Body.Ask::new);
   }
 
   private static Arbitrary<Body> steps() {
@@ -164,6 +175,7 @@ final class SyntaxTrees {
         Combinators.combine(names(), sources(), parts).as(Body.Let::new),
         Combinators.combine(terms(), Arbitraries.strings().ofMaxLength(8), parts)
             .as(Body.Hold::new),
+        questions(parts),
         Combinators.combine(formulas(), terms(), Arbitraries.strings().ofMaxLength(8))
             .as(
                 (condition, member, component) ->

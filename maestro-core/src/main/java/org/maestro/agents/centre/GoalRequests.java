@@ -210,6 +210,30 @@ public final class GoalRequests {
     }
   }
 
+  /** An answer to a question of a script; who asked is told when it is taken, or why it is not. */
+  public void answer(ACLMessage message, Words words) {
+    String question = words.string("question").orElse("");
+    coordinator.answer(
+        question,
+        words.string("text").orElse(""),
+        refusal -> {
+          if (refusal.isPresent()) {
+            agent.reply(
+                message,
+                ACLMessage.REFUSE,
+                Words.content(
+                    "inform",
+                    Words.named("reason", Words.text(refusal.get().reason())),
+                    Words.named("open", Words.name(String.valueOf(refusal.get().isOpen())))));
+          } else {
+            agent.reply(
+                message,
+                ACLMessage.INFORM,
+                Words.content("inform", Words.named("answered", Words.name(question))));
+          }
+        });
+  }
+
   private boolean isOf(String id, String requester) {
     return coordinator.goals().stream()
         .anyMatch(goal -> goal.id().equals(id) && goal.requester().equals(requester));

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.coordination.achievement.FeatureCall;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
@@ -25,6 +26,7 @@ import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.knowledge.api.Source;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Script;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Body;
@@ -56,6 +58,7 @@ final class Course {
   private final PartMaker parts;
   private final Consumer<GoalOutcome> partEnded;
   private final Notes notes;
+  private final OpenQuestions questions = new OpenQuestions();
   private final ScriptStory told;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
   private final Map<String, HoldGoal> holds = new LinkedHashMap<>();
@@ -278,6 +281,55 @@ final class Course {
           activeGoals.run(() -> then.accept(problem));
         };
     ports.journal().afterwards(() -> ports.messenger().say(speech, answered));
+  }
+
+  /**
+   * The same, of a question, which is open from now on.
+   *
+   * @param failed told why nobody could be asked
+   */
+  void ask(String path, Question question, Consumer<String> failed) {
+    deeds++;
+    questions.ask(path, question);
+    Home home = ports.knowledge().home();
+    Speech speech =
+        new Speech(
+            notes.partId(path),
+            question.who(),
+            Sentence.of(question.words(), home),
+            Optional.of(
+                new Speech.Wanted(question.type(), new Answers(question.type(), home).choices())));
+    Consumer<Optional<String>> asked =
+        problem -> {
+          if (problem.isEmpty()) {
+            told.asks(path, question.who(), speech.text());
+          } else {
+            questions.withdraw(path);
+            activeGoals.run(() -> failed.accept(problem.get()));
+          }
+        };
+    ports
+        .journal()
+        .afterwards(
+            () -> {
+              if (questions.isOpen(path)) {
+                ports.messenger().say(speech, asked);
+              }
+            });
+  }
+
+  void withdraw(String path) {
+    questions.withdraw(path);
+  }
+
+  /** See {@link OpenQuestions#answer}. */
+  Optional<AnswerRefusal> answer(String path, String text) {
+    return questions.answer(path, notes.partId(path), text, ports.knowledge().home());
+  }
+
+  /** Questions that wait for an answer, in words. */
+  List<String> openQuestions() {
+    return questions.inWords(ports.knowledge().home());
   }
 
   /**

@@ -25,6 +25,8 @@ final class Parts {
       return new Attempt(attempt, scope, course, path, then);
     } else if (body instanceof Body.Hold hold) {
       return new Holding(hold, scope, course, path, then);
+    } else if (body instanceof Body.Ask ask) {
+      return new Asking(ask, scope, course, path, then);
     } else if (body instanceof Body.Run run) {
       return RunScript.asAStep(run, scope, course, path, then);
     } else if (body instanceof Body.Achieve || body instanceof Body.Do) {

@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalRequest;
@@ -152,6 +154,15 @@ public final class ScriptGoal implements GoalOfGoals {
             () -> onceRecovered.ifPresent(Runnable::run));
   }
 
+  /**
+   * Takes an answer to a question of one of its parts.
+   *
+   * @return why it is not taken; empty when it is, and is being written down
+   */
+  public Optional<AnswerRefusal> answer(String part, String text) {
+    return course.answer(part.substring(id().length() + 1), text);
+  }
+
   private void partEnded(GoalOutcome part) {
     if (!life.isOver()) {
       life.add(part);
@@ -215,22 +226,25 @@ public final class ScriptGoal implements GoalOfGoals {
     List<GoalStatus> parts = course.underway().stream().map(ActiveGoal::status).toList();
     List<WaitsFor> waits = parts.stream().flatMap(part -> part.waits().stream()).toList();
     GoalStatus own = life.status(waits).worth(activeGoals.appraisals().find(id()));
-    if (own.state() != GoalState.RUNNING || parts.isEmpty()) {
+    List<String> questions = course.openQuestions();
+    if (own.state() != GoalState.RUNNING || parts.isEmpty() && questions.isEmpty()) {
       return own;
     }
     boolean allWait =
         parts.stream()
             .allMatch(
                 part -> part.state() == GoalState.WAITING || part.state() == GoalState.SUSPENDED);
-    return own.as(
-        allWait ? parts.get(0).state() : own.state(),
+    GoalState waiting = parts.isEmpty() ? GoalState.WAITING : parts.get(0).state();
+    Stream<String> steps =
         parts.stream()
             .map(
                 part ->
                     "step "
                         + part.id().substring(id().length() + 1)
-                        + (part.detail().isEmpty() ? "" : ": " + part.detail()))
-            .collect(Collectors.joining("; ")));
+                        + (part.detail().isEmpty() ? "" : ": " + part.detail()));
+    return own.as(
+        allWait ? waiting : own.state(),
+        Stream.concat(steps, questions.stream()).collect(Collectors.joining("; ")));
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.maestro.coordination.scripts;
 
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -41,6 +42,14 @@ final class ScriptStory {
 
   void says(String path, String who, String text) {
     tell(StoryEntry.Kind.SAID, path, "To %s: \"%s\"".formatted(who, text));
+  }
+
+  void asks(String path, String who, String text) {
+    tell(
+        StoryEntry.Kind.SAID,
+        path,
+        "Asks %s: \"%s\" Answer by ./maestro answer %s, or in the chat."
+            .formatted(who, text, GoalId.part(goalId, path)));
   }
 
   void tells(String path, String agent, String message) {

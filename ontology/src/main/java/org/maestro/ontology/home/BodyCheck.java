@@ -52,6 +52,12 @@ final class BodyCheck {
       Map<String, List<String>> inside =
           with(variables, let.variable(), source(let.source(), variables));
       let.parts().forEach(part -> check(part, inside));
+    } else if (body instanceof Body.Ask ask) {
+      names(variables).check(ask.who());
+      ask.words().forEach(names(variables)::check);
+      speech.check(ask, variables);
+      Map<String, List<String>> inside = with(variables, ask.answer().name(), List.of(ask.type()));
+      ask.parts().forEach(part -> check(part, inside));
     } else {
       step(body, variables);
       body.parts().forEach(part -> check(part, variables));

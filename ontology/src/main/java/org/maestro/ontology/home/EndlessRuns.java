@@ -57,8 +57,8 @@ final class EndlessRuns {
       return true;
     } else if (body instanceof Body.Seq seq) {
       return seq.parts().stream().allMatch(this::visit);
-    } else if (body instanceof Body.Hold hold) {
-      return hold.parts().stream().allMatch(this::visit);
+    } else if (body instanceof Body.Hold || body instanceof Body.Ask) {
+      return body.parts().stream().allMatch(this::visit);
     } else if (body instanceof Body.Let let) {
       if (let.source() instanceof Body.Run run) {
         found.add(run.script());

@@ -1,7 +1,9 @@
 package org.maestro.ontology.home;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.sl.Body;
@@ -15,6 +17,10 @@ import org.maestro.sl.Term;
  */
 final class SpeechCheck {
   private static final List<String> WHO_HEARS = List.of("Listener");
+
+  /** What people can write that is no name of a thing. */
+  private static final List<String> ANSWERS =
+      List.of("string", "boolean", "double", "decimal", "integer");
 
   private final Home home;
   private final TermFit fit;
@@ -34,6 +40,19 @@ final class SpeechCheck {
       problems.accept(
           "speaks to %s, which is neither a person nor a room".formatted(SlPrinter.print(who)),
           "name one that is a maestro:Listener" + example());
+    }
+  }
+
+  void check(Body.Ask ask, Map<String, List<String>> variables) {
+    hears(ask.who(), variables);
+    String type = ask.type();
+    Set<String> classes = home.vocabulary().classes().keySet();
+    if (!ANSWERS.contains(type) && !classes.contains(type)) {
+      List<String> known = new ArrayList<>(ANSWERS);
+      known.addAll(classes);
+      problems.accept(
+          "asks for an answer of the unknown class " + type,
+          Nearest.cure(type, known, "write a class, or one of " + String.join(", ", ANSWERS)));
     }
   }
 

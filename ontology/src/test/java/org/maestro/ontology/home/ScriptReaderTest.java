@@ -112,6 +112,10 @@ class ScriptReaderTest {
         "(say room-a \\\"Good night.\\\")",
         "(foreach (?p - Person) (in ?p zone-a) (say ?p \\\"Hello,\\\" ?p))",
         "(tell CCA (initCNP (:goal (canSee ?agent Cup))))",
+        "(seq (ask Bob \\\"Which room?\\\" ?room Zone) (do move rose :to ?room) (wait 1))",
+        "(ask room-a \\\"Shall I?\\\" ?yes boolean (if (= ?yes true) (achieve (open door-ab))))",
+        "(seq (ask Bob \\\"How long?\\\" ?s double) (ask Bob \\\"And\\\" ?s \\\"more?\\\" ?t double)"
+            + " (wait ?t))",
         "(tell somebody (whatever it \\\"is\\\"))",
         "(foreach (?r - RechargingRobot) (in ?r zone-a) (hold ?r \\\"base\\\" (wait 30)))",
       })
@@ -239,6 +243,18 @@ class ScriptReaderTest {
         "(say ?room \\\"Hello.\\\") | body speaks to ?room, which is neither a person nor a room",
         "(say Bop \\\"Hello.\\\") | body names Bop, which is not described; write Bob",
         "(say Bob ?whom) | body uses ?whom, which nothing binds; write ?who",
+        "(ask Cup \\\"Well?\\\" ?x) | body speaks to Cup, which is neither a person nor a room",
+        "(ask Bob \\\"Well?\\\" ?x Zonne) | body asks for an answer of the unknown class Zonne;"
+            + " write Zone, if that is meant",
+        "(ask Bob \\\"Well?\\\" ?x number) | body asks for an answer of the unknown class number;"
+            + " write a class, or one of string, boolean, double, decimal, integer",
+        "(seq (ask Bob \\\"Well?\\\" ?x) (do move rose :to ?x))"
+            + " | body gives ?x for :to of move, which cannot be that; give it a Zone",
+        "(seq (ask Bob \\\"Well?\\\" ?x Person) (achieve (in Cup ?x)))"
+            + " | body gives ?x, a Person, where a Place is wanted",
+        "(seq (if (open door-ab) (ask Bob \\\"Well?\\\" ?x)) (return ?x))"
+            + " | body uses ?x, which nothing binds",
+        "(seq (ask Bob \\\"Well?\\\" ?x) (run faulty ?room ?who)) | body runs itself without an end",
         "(tell 7 (ping)) | body tells 7 something, which is no agent; write the name of an agent",
         "(tell ?x (ping)) | body uses ?x, which nothing binds",
         "(tell CCA (initCNP (:goal (nextTo Cup ?whom))))"

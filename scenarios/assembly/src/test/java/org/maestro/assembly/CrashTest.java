@@ -41,7 +41,8 @@ class CrashTest {
 
   /** What is said and told in it; once more by who died before it was written down. */
   private static final List<String> LETTERS =
-      List.of("G1.3 The robot is in room A.", "G1.4 (ping (:room zone-a))");
+      List.of(
+          "G1.3 The robot is in room A.", "G1.4 (ping (:room zone-a))", "G1.5 Shall it be dim?");
 
   private static Home home;
   private static Scene scene;
@@ -154,6 +155,8 @@ class CrashTest {
               (do move rose :to ?room)
               (say Bob "The robot is in" ?room ".")
               (tell CCA (ping (:room ?room)))
+              (ask Bob "Shall it be dim?" ?dim boolean)
+              (if (= ?dim false) (fail "It is to stay bright."))
               (par (do adjustLight lamp-a1 :level 0.5) (do adjustLight lamp-a2 :level 0.25))
               (let ?dim (one (?l - Lamp) (= (level ?l) 0.5))
                 (if (> (illuminance ?room) 1000)
@@ -227,6 +230,7 @@ class CrashTest {
             .as(context)
             .containsExactlyElementsOf(LETTERS);
         assertThat(site.letters).as(context).hasSizeLessThanOrEqualTo(LETTERS.size() + 1);
+        assertThat(site.answered).as(context).hasSizeLessThanOrEqualTo(1);
         assertThat(site.witness.doneTwice(Set.of("move", "adjustLight"))).as(context).isEmpty();
         assertThat(site.world().lampLevel("lamp-a1")).as(context).isEqualTo(0.75);
         assertThat(site.world().lampLevel("lamp-a2")).as(context).isZero();

@@ -1,5 +1,7 @@
 package org.maestro.assembly;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Path;
@@ -48,6 +50,7 @@ final class MortalSite implements AutoCloseable {
   private static final String SITE = "mortal";
   private static final String CONTROLLER = "maestro";
   private static final Duration DECISION = Duration.ofMillis(20);
+  private static final Duration ANSWER = Duration.ofSeconds(2);
 
   final SteppedClock clock = new SteppedClock();
   final InProcessBus bus = new InProcessBus(clock);
@@ -55,6 +58,7 @@ final class MortalSite implements AutoCloseable {
   final List<String> accepted = new ArrayList<>();
   final List<StoryEntry> story = new ArrayList<>();
   final List<String> letters = new ArrayList<>();
+  final List<String> answered = new ArrayList<>();
   final BusWitness witness = BusWitness.listen(bus.client("witness"), SITE);
   private final Home home;
   private final Path data;
@@ -197,12 +201,27 @@ final class MortalSite implements AutoCloseable {
       @Override
       public void say(Speech speech, Consumer<Optional<String>> then) {
         send(speech.part() + " " + speech.text(), then);
+        if (speech.wanted().isPresent()) {
+          clock.schedule(ANSWER, CONTROLLER, () -> unlessDead(() -> answer(speech.part())));
+        }
       }
 
       @Override
       public void tell(
           String part, String agent, Content message, Consumer<Optional<String>> then) {
         send(part + " " + SlPrinter.print(message), then);
+      }
+
+      /** Asked again is who was not told that the answer was taken. */
+      private void answer(String part) {
+        assertThat(answered).as("answers that were taken").doesNotContain(part);
+        coordinator.answer(
+            part,
+            "yes",
+            refusal -> {
+              assertThat(refusal).isEmpty();
+              answered.add(part);
+            });
       }
 
       private void send(String letter, Consumer<Optional<String>> then) {

@@ -33,6 +33,7 @@ final class Talk implements AutoCloseable {
         new Chat(
             platform.knowledge()::home,
             () -> new WrittenInterlocutor(platform.knowledge()::home, questions, stories),
+            questions::answer,
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);
   }

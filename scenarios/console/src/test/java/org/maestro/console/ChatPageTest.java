@@ -32,6 +32,9 @@ class ChatPageTest {
 
             home:greet a maestro:Script ; maestro:arguments ( "?who - Person" "?room - Room" ) ;
               maestro:body \"""(seq (say ?who "Hello," ?who ".") (say ?room "It is dark."))\""" .
+            home:offer a maestro:Script ; maestro:arguments ( "?whom - Listener" ) ;
+              maestro:body \"""(seq (ask ?whom "How bright?" ?lux double)
+                (ask ?whom "Shall it stay?" ?stay boolean) (return ?lux))\""" .
             """);
   }
 
@@ -129,6 +132,78 @@ class ChatPageTest {
     assertThat(home.get("/goals/" + goal + "/story").document().toString())
         .contains("\"kind\":\"said\"")
         .contains("To Bob: \\\"Hello, Bob.\\\"");
+  }
+
+  @Test
+  void aQuestionOfAScriptIsAnsweredByTheNextWordsThatWouldDo() throws Exception {
+    String goal = home.state("(offer Bob)");
+    JsonNode asked = asked(goal, "How bright?");
+    assertThat(asked.path("person").asText()).isEqualTo("Bob");
+    assertThat(asked.path("question").asText()).isEqualTo(goal + ".1");
+
+    long wrong = say("Bob", "room-a", "very").document().path("number").asLong();
+    assertThat(answer(wrong, "misunderstood").path("text").asText())
+        .isEqualTo(goal + ".1 is not answered by \"very\"; write a number, such as 21.5.");
+    long right = say("Bob", "room-a", "40").document().path("number").asLong();
+    assertThat(answer(right, "told", goal).path("text").asText())
+        .isEqualTo("That is the answer to: How bright?");
+
+    JsonNode next = asked(goal, "Shall it stay?");
+    assertThat(next.path("near").toString()).isEqualTo("[\"yes\",\"no\"]");
+    long meanwhile =
+        say("Bob", "room-a", "(illuminance zone-a)").document().path("number").asLong();
+    assertThat(find(meanwhile, "told", entry -> entry.path("goal").asText().equals(goal)))
+        .as("a goal or question is no answer")
+        .isEqualTo(home.get("/chat").document().path("none"));
+    say("Bob", "room-a", "yes");
+    Awaitility.await().atMost(LIMIT).until(() -> isOver(goal));
+    home.assertValid(home.get("/chat").document(), "chat");
+  }
+
+  /** Whoever is in the room may answer, and who cancels the script is asked nothing any more. */
+  @Test
+  void aQuestionInARoomIsAnsweredByTheOperationToo() throws Exception {
+    String goal = home.state("(offer room-b)");
+    asked(goal, "How bright?");
+
+    ServedHome.Answer refused = home.post("/questions/" + goal + ".1/answer", "{\"text\":\"no\"}");
+    assertThat(refused.status()).isEqualTo(400);
+    assertThat(refused.problem()).contains("write a number");
+    assertThat(home.post("/questions/" + goal + ".1/answer", "{\"text\":\"7\"}").status())
+        .isEqualTo(204);
+    ServedHome.Answer again = home.post("/questions/" + goal + ".1/answer", "{\"text\":\"7\"}");
+    assertThat(again.status()).isEqualTo(404);
+    assertThat(again.problem())
+        .isEqualTo(
+            "There is no open question %s.1; ./maestro goals shows who waits for an answer."
+                .formatted(goal));
+    asked(goal, "Shall it stay?");
+    assertThat(home.get("/goals").document().toString())
+        .contains("for an answer of room-b to \\\"Shall it stay?\\\"");
+    home.delete("/goals/" + goal);
+    Awaitility.await().atMost(LIMIT).until(() -> isOver(goal));
+
+    long number = say("Bob", "room-b", "illuminance here 20").document().path("number").asLong();
+    assertThat(answer(number, "understood").path("text").asText())
+        .isEqualTo("(>= (illuminance zone-b) 20)");
+  }
+
+  private static boolean isOver(String goal) throws Exception {
+    return home.get("/goals/" + goal + "/story").document().toString().contains("\"kind\":\"end\"");
+  }
+
+  private static JsonNode asked(String goal, String text) {
+    return Awaitility.await()
+        .atMost(LIMIT)
+        .until(
+            () ->
+                find(
+                    0,
+                    "asked",
+                    entry ->
+                        entry.path("goal").asText().equals(goal)
+                            && entry.path("text").asText().equals(text)),
+            found -> !found.isMissingNode());
   }
 
   private static List<JsonNode> spoken(String goal) throws Exception {

@@ -39,7 +39,7 @@ final class CommandException extends RuntimeException {
   /** What a platform did not answer. */
   static CommandException of(RefusalException refusal) {
     return new CommandException(
-        refusal.kind() == RefusalException.Kind.BAD_INPUT ? ExitCode.BAD_INPUT : ExitCode.OUTSIDE,
+        refusal.kind() == RefusalException.Kind.OUTSIDE ? ExitCode.OUTSIDE : ExitCode.BAD_INPUT,
         Objects.requireNonNullElse(refusal.getMessage(), refusal.toString()),
         refusal);
   }

@@ -95,7 +95,7 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     }
     boolean badInput =
         failure instanceof RefusalException refusal
-                && refusal.kind() == RefusalException.Kind.BAD_INPUT
+                && refusal.kind() != RefusalException.Kind.OUTSIDE
             || failure instanceof HomeFaultException
             || failure instanceof SimulationException
             || failure instanceof DeviceSetupException

@@ -38,6 +38,7 @@ import picocli.CommandLine.Spec;
       SlCommand.class,
       WhyCommand.class,
       TraceCommand.class,
+      AnswerCommand.class,
       CancelCommand.class,
       StopCommand.class,
       ReviveCommand.class,

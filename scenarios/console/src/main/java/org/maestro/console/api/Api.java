@@ -114,6 +114,18 @@ public final class Api {
                 "Gives a goal up; what runs for it ends by its exit strategy.",
                 request -> questions.cancel(request.parameter("goal"), request.visit().person()))
             .with(GOAL),
+        order(
+                Method.POST,
+                "/questions/{question}/answer",
+                "answerQuestion",
+                "Answers a question of a script; what is not what it asks for leaves it open.",
+                request ->
+                    questions.answer(
+                        request.parameter("question"),
+                        request.body().path("text").asText(),
+                        request.visit().person()))
+            .with(Parameter.path("question", "The part of a script that asks, such as G1.2."))
+            .taking("answer-request"),
         get(
                 "/goals/{goal}/story",
                 "story",

@@ -6,8 +6,10 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 import org.maestro.console.api.Operation;
 import org.maestro.console.documents.JsonMembers;
@@ -36,6 +38,8 @@ public final class Chat implements Source {
 
   private final Supplier<Home> home;
   private final Supplier<Interlocutor> partners;
+  private final Answering answering;
+  private final AskedQuestions asked = new AskedQuestions();
   private final InstantSource wall;
   private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
   private final Map<String, Interlocutor> partnerByPerson = new TreeMap<>();
@@ -43,10 +47,16 @@ public final class Chat implements Source {
   /**
    * @param home as it is known at the time
    * @param partners makes who answers a person
+   * @param answering where answers to questions of scripts go
    */
-  public Chat(Supplier<Home> home, Supplier<Interlocutor> partners, InstantSource wall) {
+  public Chat(
+      Supplier<Home> home,
+      Supplier<Interlocutor> partners,
+      Answering answering,
+      InstantSource wall) {
     this.home = home;
     this.partners = partners;
+    this.answering = answering;
     this.wall = wall;
   }
 
@@ -109,13 +119,68 @@ public final class Chat implements Source {
   /** Hands it over; returned is the number under which it is kept. */
   private JsonNode say(Utterance utterance) {
     long number = add(ChatEntry.said(utterance, wall.instant()));
-    partner(utterance.person())
-        .hear(utterance, event -> add(ChatEntry.of(event, utterance, wall.instant())));
+    Optional<Speech> question = asked.of(utterance).filter(speech -> mayAnswer(utterance.text()));
+    question.ifPresentOrElse(speech -> answer(speech, utterance), () -> understand(utterance));
     return JsonNodeFactory.instance.objectNode().put("number", number);
   }
 
-  /** Somebody who is no person says something: to one, or in a room. */
+  /** What is written as a goal or a question is one. */
+  private static boolean mayAnswer(String text) {
+    return !text.strip().startsWith("(") && !text.strip().startsWith("?");
+  }
+
+  private void answer(Speech question, Utterance utterance) {
+    answering
+        .answer(question.part(), utterance.text(), utterance.asker())
+        .thenAccept(done -> answered(question, utterance))
+        .exceptionally(
+            failure -> {
+              refused(question, utterance, failure);
+              return null;
+            });
+  }
+
+  private void answered(Speech question, Utterance utterance) {
+    asked.over(question);
+    tell(
+        utterance,
+        new ChatEvent.Told(question.goalId(), "That is the answer to: " + question.text()));
+  }
+
+  private void refused(Speech question, Utterance utterance, Throwable failure) {
+    Throwable refusal =
+        failure instanceof CompletionException && failure.getCause() != null
+            ? failure.getCause()
+            : failure;
+    if (refusal instanceof RefusalException none
+        && none.kind() == RefusalException.Kind.NOT_THERE) {
+      asked.over(question);
+      understand(utterance);
+    } else {
+      tell(
+          utterance,
+          new ChatEvent.Misunderstood(
+              String.valueOf(refusal.getMessage()),
+              question.wanted().map(Speech.Wanted::choices).orElse(List.of())));
+    }
+  }
+
+  private void understand(Utterance utterance) {
+    partner(utterance.person()).hear(utterance, event -> tell(utterance, event));
+  }
+
+  private void tell(Utterance utterance, ChatEvent event) {
+    add(ChatEntry.of(event, utterance, wall.instant()));
+  }
+
+  /**
+   * Somebody who is no person says something to one, or in a room. What she says next, or who is in
+   * the room, is the answer to a question.
+   */
   public void hear(Speech speech) {
+    if (speech.wanted().isPresent()) {
+      asked.asked(speech);
+    }
     boolean isForOne = names(PERSON).contains(speech.to());
     add(
         ChatEntry.spoken(
@@ -147,7 +212,8 @@ public final class Chat implements Source {
           .text("person", entry.person())
           .text("room", entry.room())
           .text("kind", entry.kind())
-          .text("goal", entry.goal());
+          .text("goal", entry.goal())
+          .text("question", entry.question());
       row.node().put("text", ShownText.of(entry.text()));
       row.words("near", entry.near().stream().map(ShownText::of).toList());
     }

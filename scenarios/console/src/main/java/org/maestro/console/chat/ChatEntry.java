@@ -13,6 +13,7 @@ import org.maestro.coordination.api.Speech;
  * @param kind of it, in a word
  * @param goal of which it tells
  * @param near what could be said instead, or as an answer
+ * @param question the part of a script that asks, where one does
  */
 record ChatEntry(
     Instant at,
@@ -21,7 +22,8 @@ record ChatEntry(
     String kind,
     Optional<String> goal,
     String text,
-    List<String> near) {
+    List<String> near,
+    Optional<String> question) {
   private static final long WEIGHT_OF_THE_REST = 100;
 
   static ChatEntry said(Utterance utterance, Instant at) {
@@ -49,14 +51,21 @@ record ChatEntry(
   }
 
   /**
-   * What a script says.
+   * What a script says, or asks.
    *
    * @param person to whom; "" to all who are in the room
    * @param room in which; "" wherever the person is
    */
   static ChatEntry spoken(Speech speech, String person, String room, Instant at) {
     return new ChatEntry(
-        at, person, room, "spoken", Optional.of(speech.goalId()), speech.text(), List.of());
+        at,
+        person,
+        room,
+        speech.wanted().isPresent() ? "asked" : "spoken",
+        Optional.of(speech.goalId()),
+        speech.text(),
+        speech.wanted().map(Speech.Wanted::choices).orElse(List.of()),
+        speech.wanted().map(wanted -> speech.part()));
   }
 
   private static ChatEntry entry(
@@ -66,7 +75,8 @@ record ChatEntry(
       Optional<String> goal,
       String text,
       List<String> near) {
-    return new ChatEntry(at, utterance.person(), utterance.room(), kind, goal, text, near);
+    return new ChatEntry(
+        at, utterance.person(), utterance.room(), kind, goal, text, near, Optional.empty());
   }
 
   /** About as many characters as it takes. */

@@ -94,6 +94,13 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<Void> answer(String question, String text) {
+    ObjectNode body = JsonNodeFactory.instance.objectNode().put("text", text);
+    return request("POST", "/questions/" + encoded(question) + "/answer", Optional.of(body))
+        .thenAccept(nothing -> {});
+  }
+
+  @Override
   public CompletableFuture<JsonNode> order(AgentOrder order) {
     ObjectNode body = JsonNodeFactory.instance.objectNode();
     if (order instanceof AgentOrder.Add add) {

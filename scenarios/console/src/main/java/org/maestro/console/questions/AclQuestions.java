@@ -15,6 +15,7 @@ import org.maestro.agents.DeskAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
+import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.console.documents.AgentsDocument;
 import org.maestro.console.documents.AnswersDocument;
@@ -150,6 +151,22 @@ public final class AclQuestions implements Questions {
     arguments.add(Words.named("goal", Words.name(goal)));
     person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("cancel", arguments))
+        .thenAccept(lines -> {});
+  }
+
+  @Override
+  public CompletableFuture<Void> answer(String question, String text) {
+    return answer(question, text, Optional.empty());
+  }
+
+  /**
+   * The same for a person.
+   *
+   * @param person who has signed in at the desk
+   */
+  public CompletableFuture<Void> answer(String question, String text, Optional<String> person) {
+    return ask(
+            ACLMessage.REQUEST, AgentNames.COORDINATOR, SpeechWords.answer(question, text, person))
         .thenAccept(lines -> {});
   }
 

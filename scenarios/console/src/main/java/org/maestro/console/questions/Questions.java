@@ -45,6 +45,15 @@ public interface Questions {
   CompletableFuture<Void> cancel(String goal);
 
   /**
+   * Answers a question of a script; one that is not what it asks for is refused, and the question
+   * stays open.
+   *
+   * @param question the part that asks, such as G7.2
+   * @param text as people write it
+   */
+  CompletableFuture<Void> answer(String question, String text);
+
+  /**
    * Changes which agents there are.
    *
    * @return what was done, in sentences

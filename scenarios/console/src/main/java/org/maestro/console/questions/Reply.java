@@ -32,6 +32,11 @@ public final class Reply {
   public static RefusalException refusal(List<Words> words) {
     boolean temporary =
         words.stream().anyMatch(of -> of.string("temporary").filter("true"::equals).isPresent());
+    boolean isOver =
+        words.stream().anyMatch(of -> of.string("open").filter("false"::equals).isPresent());
+    if (isOver) {
+      return RefusalException.notThere(reason(words));
+    }
     return temporary
         ? RefusalException.outside(reason(words))
         : RefusalException.badInput(reason(words));

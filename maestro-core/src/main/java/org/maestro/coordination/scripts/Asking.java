@@ -1,0 +1,65 @@
+package org.maestro.coordination.scripts;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.maestro.sl.Body;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * A question to people, and parts that know the answer. It is open until somebody answers it with
+ * what would do, or it is called off. After a restart the same question is asked again, and an
+ * answer that was taken is not asked for again.
+ */
+final class Asking extends Part {
+  private static final int PARTS = 1;
+
+  private final Body.Ask ask;
+  private final Scope scope;
+  private Optional<Part> parts = Optional.empty();
+
+  Asking(Body.Ask ask, Scope scope, Course course, String path, Consumer<Result> then) {
+    super(course, path, then);
+    this.ask = ask;
+    this.scope = scope;
+  }
+
+  @Override
+  void proceed() {
+    Optional<Term> noted = course.notes().value(path);
+    Term who = scope.apply(ask.who());
+    if (noted.isPresent()) {
+      goOn(noted.get());
+    } else if (who instanceof Term.Name name) {
+      course.ask(
+          path,
+          new Question(name.text(), scope.apply(ask.words()), ask.type(), this::answered),
+          problem -> finish(new Result.Failed(problem)));
+    } else {
+      finish(new Result.Failed("%s hears nothing.".formatted(SlPrinter.print(who))));
+    }
+  }
+
+  private void answered(Term answer) {
+    course.notes().value(path, answer);
+    course.told().gives(path, ask.answer().name(), SlPrinter.print(answer));
+    goOn(answer);
+  }
+
+  private void goOn(Term answer) {
+    Part part =
+        course.part(
+            new Body.Seq(ask.parts()),
+            scope.with(ask.answer().name(), answer),
+            below(PARTS),
+            this::finish);
+    parts = Optional.of(part);
+    part.begin();
+  }
+
+  @Override
+  void stop(Runnable then) {
+    course.withdraw(path);
+    parts.ifPresentOrElse(part -> part.callOff(then), then);
+  }
+}
