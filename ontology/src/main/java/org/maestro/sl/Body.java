@@ -153,6 +153,9 @@ public sealed interface Body {
   /** A message for another agent; what comes of it is that agent's matter. */
   record Tell(Term agent, Content message) implements Body {}
 
+  /** Somebody looks where the thing is, or how it is, whatever was known of that before. */
+  record Look(Term thing) implements Body {}
+
   /** Facts that are so from now on, as the script says. */
   record Assert(Effect effect) implements Body {}
 

@@ -70,6 +70,8 @@ final class BodyPrinter {
       return group("wait", parts(SlPrinter.print(await.condition())));
     } else if (body instanceof Body.Pause pause) {
       return group("wait", parts(SlPrinter.print(pause.seconds())));
+    } else if (body instanceof Body.Look look) {
+      return group("look", parts(SlPrinter.print(look.thing())));
     } else if (body instanceof Body.Return back) {
       return group("return", parts(SlPrinter.print(back.value())));
     }

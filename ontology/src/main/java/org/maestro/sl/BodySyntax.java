@@ -103,6 +103,10 @@ final class BodySyntax {
             ? new Body.Pause(ExpressionSyntax.expression(rest.get(0)))
             : new Body.Await(formulas.formula(rest.get(0)));
       }
+      case "look" -> {
+        group.expectOperands(1, "a thing");
+        yield new Body.Look(ExpressionSyntax.term(rest.get(0)));
+      }
       case "return" -> {
         group.expectOperands(1, "a term");
         yield new Body.Return(ExpressionSyntax.term(rest.get(0)));

@@ -118,6 +118,7 @@ class BodySyntaxTest {
         Arguments.of("(wait (dark zone-a))", new Body.Await(DARK)),
         Arguments.of("(wait 30)", new Body.Pause(new Expression.OfTerm(new Term.Number(30)))),
         Arguments.of("(wait ?n)", new Body.Pause(new Expression.OfTerm(new Term.Variable("n")))),
+        Arguments.of("(look zone-a)", new Body.Look(ZONE)),
         Arguments.of("(return zone-a)", new Body.Return(ZONE)),
         Arguments.of("(fail \"no\")", FAIL));
   }
@@ -193,6 +194,8 @@ class BodySyntaxTest {
         "(tell CCA) | 10 | A MESSAGE | \")\"",
         "(tell CCA (ping) (ping)) | 18 | \")\" | \"(ping ...)\"",
         "(tell CCA ping) | 11 | a content element such as (initCNP ...) | \"ping\"",
+        "(look) | 6 | a thing | \")\"",
+        "(look (in Cup zone-a)) | 7 | a term | \"(in ...)\"",
         "(return) | 8 | a term | \")\"",
         "(fail no) | 7 | a text in quotes | \"no\"",
         "(fail \"no\") x | 13 | the end of the text | \"x\"",

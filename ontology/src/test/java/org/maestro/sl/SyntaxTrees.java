@@ -152,6 +152,7 @@ final class SyntaxTrees {
         formulas().map(Body.Await::new),
         Arbitraries.oneOf(numbers().map(Term.Number::new), names().map(Term.Variable::new))
             .map(term -> new Body.Pause(new Expression.OfTerm(term))),
+        terms().map(Body.Look::new),
         terms().map(Body.Return::new),
         Arbitraries.strings().ofMaxLength(8).map(Body.Fail::new));
   }

@@ -69,31 +69,40 @@ public record Ports(
         knowledge, planner, contractNet, dispatcher, thinking, owner, clock, story, Journal.none());
   }
 
+  public Ports with(KnowledgeBase other) {
+    return with(other, planner, dispatcher, thinking, story, messenger);
+  }
+
   public Ports with(Planner other) {
-    return with(other, dispatcher, thinking, story, messenger);
+    return with(knowledge, other, dispatcher, thinking, story, messenger);
   }
 
   public Ports with(ActionDispatcher other) {
-    return with(planner, other, thinking, story, messenger);
+    return with(knowledge, planner, other, thinking, story, messenger);
   }
 
   public Ports with(Story other) {
-    return with(planner, dispatcher, thinking, other, messenger);
+    return with(knowledge, planner, dispatcher, thinking, other, messenger);
   }
 
   public Ports with(Messenger other) {
-    return with(planner, dispatcher, thinking, story, other);
+    return with(knowledge, planner, dispatcher, thinking, story, other);
   }
 
   /** For work that can wait a moment. */
   public Ports patient() {
-    return with(planner, dispatcher, thinking.patient(), story, messenger);
+    return with(knowledge, planner, dispatcher, thinking.patient(), story, messenger);
   }
 
   private Ports with(
-      Planner planning, ActionDispatcher orders, Thinking thoughts, Story told, Messenger spoken) {
+      KnowledgeBase known,
+      Planner planning,
+      ActionDispatcher orders,
+      Thinking thoughts,
+      Story told,
+      Messenger spoken) {
     return new Ports(
-        knowledge,
+        known,
         planning,
         contractNet,
         orders,

@@ -366,6 +366,31 @@ final class Course {
         make -> ended -> subgoals.reaching(notes.partId(path), make, ported(path), ended));
   }
 
+  /** A look that begins now; empty when nobody could look for anything. */
+  Optional<Sighting> sighting(String thing) {
+    return Sighting.of(thing, ports.knowledge());
+  }
+
+  void look(String path, Sighting sighting, Consumer<Result> then) {
+    told.begins(path, "Look at " + SlPrinter.print(sighting.thing()));
+    begin(
+        path,
+        sighting.goal(),
+        result -> {
+          if (result instanceof Result.Done) {
+            told.sees(path, sighting.facts(ports.knowledge().snapshot()));
+          }
+          then.accept(result);
+        },
+        make ->
+            ended ->
+                subgoals.reaching(
+                    notes.partId(path),
+                    make,
+                    ported(path).with(sighting.since(ports.knowledge())),
+                    ended));
+  }
+
   void call(String path, FeatureCall call, Consumer<Result> then) {
     told.begins(path, "%s is to do %s%s".formatted(call.member(), call.feature(), with(call)));
     begin(

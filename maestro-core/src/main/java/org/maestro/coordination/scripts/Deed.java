@@ -28,6 +28,10 @@ final class Deed extends Part {
       course.achieve(path, scope.apply(achieve.goal()), this::finishUnwritten);
       return;
     }
+    if (body instanceof Body.Look look) {
+      look(scope.apply(look.thing()));
+      return;
+    }
     Body.Do call = (Body.Do) body;
     Term member = scope.apply(call.member());
     Optional<Term> open =
@@ -45,6 +49,19 @@ final class Deed extends Part {
       call.parameters().forEach((key, term) -> parameters.put(key, scope.apply(term)));
       course.call(
           path, new FeatureCall(call.feature(), name.text(), parameters), this::finishUnwritten);
+    }
+  }
+
+  private void look(Term thing) {
+    Optional<Sighting> sighting =
+        thing instanceof Term.Name name ? course.sighting(name.text()) : Optional.empty();
+    if (sighting.isEmpty()) {
+      finish(
+          new Result.Failed(
+              "Nobody here can look for anything of %s.".formatted(SlPrinter.print(thing))));
+    } else {
+      begun = true;
+      course.look(path, sighting.get(), this::finishUnwritten);
     }
   }
 

@@ -29,7 +29,9 @@ final class Parts {
       return new Asking(ask, scope, course, path, then);
     } else if (body instanceof Body.Run run) {
       return RunScript.asAStep(run, scope, course, path, then);
-    } else if (body instanceof Body.Achieve || body instanceof Body.Do) {
+    } else if (body instanceof Body.Achieve
+        || body instanceof Body.Look
+        || body instanceof Body.Do) {
       return new Deed(body, scope, course, path, then);
     } else if (body instanceof Body.Say || body instanceof Body.Tell) {
       return new Telling(body, scope, course, path, then);

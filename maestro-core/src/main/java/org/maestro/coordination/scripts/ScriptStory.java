@@ -1,5 +1,6 @@
 package org.maestro.coordination.scripts;
 
+import java.util.List;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
@@ -54,6 +55,10 @@ final class ScriptStory {
 
   void tells(String path, String agent, String message) {
     tell(StoryEntry.Kind.SAID, path, "The agent %s is told %s.".formatted(agent, message));
+  }
+
+  void sees(String path, List<String> facts) {
+    tell(StoryEntry.Kind.LEARNT, path, "Seen: " + String.join(", ", facts) + ".");
   }
 
   /** What the goal for a part tells, as the script tells it. */

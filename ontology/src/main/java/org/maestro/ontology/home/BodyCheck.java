@@ -98,6 +98,9 @@ final class BodyCheck {
         names.check(tell.agent());
       }
       speech.check(tell, variables);
+    } else if (body instanceof Body.Look look) {
+      names.check(look.thing());
+      speech.check(look, variables);
     } else if (body instanceof Body.Do call) {
       names.check(call.member());
       call.parameters().values().forEach(names::check);

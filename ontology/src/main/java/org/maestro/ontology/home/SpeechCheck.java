@@ -3,6 +3,7 @@ package org.maestro.ontology.home;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.maestro.ontology.validation.Nearest;
@@ -12,8 +13,8 @@ import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
- * Checks what a script says to whom: to persons and rooms, and in messages of which each variable
- * that looks like one of the script's is one.
+ * Checks what a script says to whom, and has looked at: persons and rooms hear, things are seen,
+ * and each variable of a message that looks like one of the script's is one.
  */
 final class SpeechCheck {
   private static final List<String> WHO_HEARS = List.of("Listener");
@@ -53,6 +54,24 @@ final class SpeechCheck {
       problems.accept(
           "asks for an answer of the unknown class " + type,
           Nearest.cure(type, known, "write a class, or one of " + String.join(", ", ANSWERS)));
+    }
+  }
+
+  /** What is to be looked at is a thing of which there is something to see. */
+  void check(Body.Look look, Map<String, List<String>> variables) {
+    Sights sights = new Sights(home.vocabulary());
+    boolean isSeen =
+        look.thing() instanceof Term.Variable variable
+            ? variables.getOrDefault(variable.name(), List.of("Thing")).stream()
+                .anyMatch(sights::mayBeOf)
+            : look.thing() instanceof Term.Name name
+                && Optional.ofNullable(home.individuals().get(name.text()))
+                    .map(sights::areOf)
+                    .orElse(true);
+    if (!isSeen) {
+      problems.accept(
+          "looks at %s, of which there is nothing to see".formatted(SlPrinter.print(look.thing())),
+          "name a thing that can be somewhere, or of which something maestro:Observable may be so");
     }
   }
 

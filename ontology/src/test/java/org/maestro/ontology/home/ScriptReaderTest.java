@@ -112,6 +112,8 @@ class ScriptReaderTest {
         "(say room-a \\\"Good night.\\\")",
         "(foreach (?p - Person) (in ?p zone-a) (say ?p \\\"Hello,\\\" ?p))",
         "(tell CCA (initCNP (:goal (canSee ?agent Cup))))",
+        "(seq (look Cup) (look zone-a) (look Bob) (look rose))",
+        "(foreach (?i - Item) (in ?i zone-a) (look ?i))",
         "(seq (ask Bob \\\"Which room?\\\" ?room Zone) (do move rose :to ?room) (wait 1))",
         "(ask room-a \\\"Shall I?\\\" ?yes boolean (if (= ?yes true) (achieve (open door-ab))))",
         "(seq (ask Bob \\\"How long?\\\" ?s double) (ask Bob \\\"And\\\" ?s \\\"more?\\\" ?t double)"
@@ -255,6 +257,11 @@ class ScriptReaderTest {
         "(seq (if (open door-ab) (ask Bob \\\"Well?\\\" ?x)) (return ?x))"
             + " | body uses ?x, which nothing binds",
         "(seq (ask Bob \\\"Well?\\\" ?x) (run faulty ?room ?who)) | body runs itself without an end",
+        "(look room-a) | body looks at room-a, of which there is nothing to see; name a thing that",
+        "(look ?level) | body uses ?level, which nothing binds",
+        "(let ?n (value (illuminance zone-a)) (look ?n)) | body looks at ?n, of which there is nothing",
+        "(look 3) | body looks at 3, of which there is nothing to see",
+        "(look Cupp) | body names Cupp, which is not described; write Cup",
         "(tell 7 (ping)) | body tells 7 something, which is no agent; write the name of an agent",
         "(tell ?x (ping)) | body uses ?x, which nothing binds",
         "(tell CCA (initCNP (:goal (nextTo Cup ?whom))))"

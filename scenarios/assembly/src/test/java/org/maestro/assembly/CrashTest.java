@@ -42,7 +42,7 @@ class CrashTest {
   /** What is said and told in it; once more by who died before it was written down. */
   private static final List<String> LETTERS =
       List.of(
-          "G1.3 The robot is in room A.", "G1.4 (ping (:room zone-a))", "G1.5 Shall it be dim?");
+          "G1.4 The robot is in room A.", "G1.5 (ping (:room zone-a))", "G1.6 Shall it be dim?");
 
   private static Home home;
   private static Scene scene;
@@ -153,6 +153,7 @@ class CrashTest {
             """
             (seq (achieve (>= (illuminance zone-b) 72))
               (do move rose :to ?room)
+              (look Cup)
               (say Bob "The robot is in" ?room ".")
               (tell CCA (ping (:room ?room)))
               (ask Bob "Shall it be dim?" ?dim boolean)
