@@ -80,7 +80,7 @@ final class GroupCheck {
 
   /** Whether a step of it, or of a script that it runs, is planned. */
   private boolean achieves(Body body, Set<String> seen) {
-    if (body instanceof Body.Achieve) {
+    if (body instanceof Body.Achieve || body instanceof Body.Look) {
       return true;
     }
     Optional<Body.Run> run =
