@@ -31,7 +31,7 @@ import org.maestro.rats.time.Clock;
  * no goal's decision is made in the middle of another's.
  */
 public final class ActiveGoals {
-  private final Leases leases = new Leases(this::wake);
+  private final Leases leases;
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
@@ -49,6 +49,7 @@ public final class ActiveGoals {
     this.rush = new Rush(clock, owner, this::wake);
     this.appraisals = appraisals;
     this.otherManagers = new OtherManagers(this, agents, clock, owner);
+    this.leases = new Leases(this::wake, otherManagers::areThere);
   }
 
   public Leases leases() {
@@ -143,13 +144,24 @@ public final class ActiveGoals {
   }
 
   List<ActiveGoal> others(String goal) {
-    return pursuits.values().stream().filter(p -> !p.id().equals(goal)).toList();
+    return pursuits.values().stream().filter(p -> !isOfIt(p, goal)).toList();
   }
 
-  /** What is known, without what any step under way is just changing. */
-  public FactsMaskedByRunningSteps factsBesideSteps(Snapshot now, Vocabulary vocabulary) {
+  /** Whether a goal is that one, or one for a step of which that one is pursued. */
+  private static boolean isOfIt(ActiveGoal pursuit, String goal) {
+    return pursuit.id().equals(goal) || GoalId.isWithin(goal, pursuit.id());
+  }
+
+  /**
+   * What is known, without what any step under way is just changing, but the one for which the goal
+   * is pursued.
+   */
+  public FactsMaskedByRunningSteps factsBesideSteps(
+      String goal, Snapshot now, Vocabulary vocabulary) {
     FactsMaskedByRunningSteps facts = new FactsMaskedByRunningSteps(now, vocabulary);
-    pursuits.values().forEach(pursuit -> pursuit.underway().addTo(facts));
+    pursuits.values().stream()
+        .filter(pursuit -> !GoalId.isWithin(goal, pursuit.id()))
+        .forEach(pursuit -> pursuit.underway().addTo(facts));
     return facts;
   }
 

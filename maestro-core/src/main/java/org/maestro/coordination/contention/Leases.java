@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -36,17 +37,26 @@ public final class Leases {
   private final Map<Resource, Run> runs = new TreeMap<>();
   private final Map<String, Wait> waits = new LinkedHashMap<>();
   private final Consumer<String> wake;
+  private final BooleanSupplier otherManagers;
 
   private record Run(String goal, String member) {}
 
   private record Wait(Set<Resource> wanted, List<WaitsFor> edges) {}
 
+  /** Of goals among which there are none of other managers. */
+  Leases(Consumer<String> wake) {
+    this(wake, () -> false);
+  }
+
   /**
    * @param wake told the goals that may go on, first who goes first; is to look at them later, not
    *     inside the call
+   * @param otherManagers whether there are goals of other managers, which may go on meanwhile where
+   *     one of these stands back
    */
-  Leases(Consumer<String> wake) {
+  Leases(Consumer<String> wake, BooleanSupplier otherManagers) {
     this.wake = wake;
+    this.otherManagers = otherManagers;
   }
 
   void enter(String goal, GoalPriority standing) {
@@ -234,13 +244,14 @@ public final class Leases {
    */
   public void waitFor(String goal, Set<Resource> wanted, List<WaitsFor> edges) {
     Wait before = waits.put(goal, new Wait(Set.copyOf(wanted), List.copyOf(edges)));
-    if (before != null && !wanted.containsAll(before.wanted())) {
-      wakeThose(
-          edge ->
-              edge.holder().equals(goal)
-                  && before.wanted().contains(edge.resource())
-                  && !wanted.contains(edge.resource()));
+    if (before != null && wanted.isEmpty() && otherManagers.getAsBoolean()) {
+      leavesQueues(goal, before.wanted());
     }
+  }
+
+  /** Whoever stood behind it there may be the first now. */
+  private void leavesQueues(String goal, Set<Resource> queues) {
+    wakeThose(edge -> edge.holder().equals(goal) && queues.contains(edge.resource()));
   }
 
   public void stopWaiting(String goal) {

@@ -59,6 +59,10 @@ public final class OtherManagers {
     return Optional.ofNullable(guests.get(goal));
   }
 
+  boolean areThere() {
+    return !guests.isEmpty();
+  }
+
   boolean isWaiting(String goal) {
     return Optional.ofNullable(guests.get(goal)).filter(Guest::isWaiting).isPresent();
   }

@@ -40,10 +40,12 @@ public final class StandingBack {
     return after.isPresent() || yieldedTo.isPresent();
   }
 
-  /** It waits, and has not stepped back for this one meanwhile. */
+  /** It waits; where a goal of another manager has got what it waited for, not for this one. */
   private boolean isOnItsWay(String other) {
     List<WaitsFor> waits = activeGoals.leases().waitsOf(other);
-    return !waits.isEmpty()
-        && waits.stream().map(WaitsFor::resource).noneMatch(Resource.endOf(goal)::equals);
+    boolean standsBack =
+        activeGoals.otherManagers().areThere()
+            && waits.stream().map(WaitsFor::resource).anyMatch(Resource.endOf(goal)::equals);
+    return !waits.isEmpty() && !standsBack;
   }
 }

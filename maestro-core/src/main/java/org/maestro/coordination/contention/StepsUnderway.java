@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.facts.FactsMaskedByRunningSteps;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Term;
@@ -69,6 +70,26 @@ public final class StepsUnderway {
                     && (ending.contains(running.key())
                         || running.feature().occupies().stream()
                             .anyMatch(next.feature().occupies()::contains)));
+  }
+
+  /** Whether one of them is a script that goes on. */
+  public boolean isAScript() {
+    return underway.values().stream()
+        .map(Underway::step)
+        .anyMatch(step -> isScript(step) && !calledOff.contains(step.key()));
+  }
+
+  /**
+   * Whether the step has to wait for others of its plan: a script may use what they use, so nothing
+   * is done beside it.
+   */
+  public boolean goesAlone(Step next) {
+    return !underway.isEmpty()
+        && (isScript(next) || steps().stream().anyMatch(StepsUnderway::isScript));
+  }
+
+  private static boolean isScript(Step step) {
+    return step.member().equals(Script.PLANNED_AS);
   }
 
   /** The member's step of that feature, unless it was called off already. */
