@@ -35,6 +35,7 @@ import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
+import org.maestro.coordination.composites.CompositeActions;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
@@ -73,6 +74,7 @@ public final class Coordinator {
 
   private final Ports ports;
   private final JournaledDispatcher dispatcher;
+  private final CompositeActions composites;
   private final Roster roster = new Roster();
   private final Appraisals appraisals;
   private final ActiveGoals activeGoals;
@@ -107,6 +109,10 @@ public final class Coordinator {
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
     this.activeGoals =
         new ActiveGoals(ports.clock(), ports.owner(), appraisals, ports.dispatcher());
+    this.composites = new CompositeActions(this.ports, this::run);
+    if (usesScripts()) {
+      roster.present(Script.PLANNED_AS, Optional.empty());
+    }
   }
 
   /** Takes a goal on, of which only the end is wanted to be known. */
@@ -212,14 +218,22 @@ public final class Coordinator {
         (wish, with, then) ->
             new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
     Optional<Script> script = ScriptGoal.script(request.goal(), ports.knowledge().home().scripts());
+    Ports world = usesScripts() ? composites.ports() : ports;
     ActiveGoal pursuit =
         script.isPresent()
             ? new ScriptGoal(
-                id, request, script.get(), standing, ports, activeGoals, new PartsOfScripts(), over)
+                id,
+                request,
+                script.get(),
+                standing,
+                usesScripts() ? composites.within(script.get()) : ports,
+                activeGoals,
+                new PartsOfScripts(),
+                over)
             : request.goal() instanceof Formula.Keep
                 ? new MaintenanceGoal(
                     new Wish(id, request, standing),
-                    ports,
+                    world,
                     activeGoals,
                     exactPrices,
                     reaching,
@@ -227,7 +241,7 @@ public final class Coordinator {
                     over)
                 : request.goal() instanceof Formula.Bound
                     ? new EntryGoal(id, request, ports, activeGoals, begun, over)
-                    : reaching.pursuit(request, ports, over);
+                    : reaching.pursuit(request, world, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
     if (!(request.goal() instanceof Formula.Bound)) {
@@ -235,6 +249,39 @@ public final class Coordinator {
     }
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
+  }
+
+  /** Only the central coordinator has all devices that a script may use. */
+  private boolean usesScripts() {
+    return prefix.equals(GoalId.CENTRAL) && composites.isAny();
+  }
+
+  /** A script that is a step of a plan. */
+  private ActiveGoal run(String id, Formula.Atom goal, Ports within, Consumer<GoalOutcome> ended) {
+    String whole = GoalId.whole(id);
+    GoalStatus asked = pursuits.get(whole).status();
+    GoalRequest request =
+        new GoalRequest(goal, asked.requester(), asked.priority(), Optional.empty());
+    GoalPriority standing = activeGoals.leases().ownStanding(whole);
+    Script script = ScriptGoal.script(goal, ports.knowledge().home().scripts()).orElseThrow();
+    ActiveGoal run =
+        new ScriptGoal(
+            id,
+            request,
+            script,
+            standing,
+            within.with(ScriptGoal.storyOfPart(id, ports)),
+            activeGoals,
+            new PartsOfScripts(),
+            outcome -> activeGoals.run(() -> ended.accept(outcome)));
+    activeGoals.enter(run, standing);
+    ports
+        .journal()
+        .accept(
+            new JournalEntry.Submitted(id, request),
+            () -> ports.owner().execute(() -> activeGoals.run(run::start)),
+            reason -> activeGoals.run(() -> run.cancel(reason)));
+    return run;
   }
 
   /** Goals for parts of scripts; how a script as a whole is ended is no matter of theirs. */
@@ -390,6 +437,15 @@ public final class Coordinator {
             goal ->
                 Optional.ofNullable(pursuits.get(goal.id()))
                     .ifPresent(pursuit -> pursuit.takeUp(goal, former)));
+    recovery.goals().stream()
+        .filter(goal -> ScriptGoal.script(goal.request().goal(), scripts()).isEmpty())
+        .flatMap(goal -> goal.parts().stream())
+        .flatMap(part -> part.calls().stream())
+        .forEach(call -> former.giveUp(call, "the plan of which it was a part is made anew"));
+  }
+
+  private Map<String, Script> scripts() {
+    return ports.knowledge().home().scripts();
   }
 
   /** The clock's thread only hands over. */

@@ -212,7 +212,7 @@ final class GoalMonitor {
 
   FactsMaskedByRunningSteps presentFacts() {
     return activeGoals.factsBesideSteps(
-        ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
+        goalId, ports.knowledge().snapshot(), ports.knowledge().home().vocabulary());
   }
 
   /** The steps that are left alone as things are, each with its reason. */

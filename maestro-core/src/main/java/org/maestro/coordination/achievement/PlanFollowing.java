@@ -106,6 +106,7 @@ final class PlanFollowing {
     execution.knowledgeChanged(change);
     monitor.lessons().knowledgeChanged();
     if (!isActive()
+        || underway.isAScript()
         || change.version() == ownChange
         || !concern.perhaps(changed)
         || lookedAt.has(change, changed)) {
@@ -193,7 +194,10 @@ final class PlanFollowing {
   private void beginSteps() {
     List<WaitsFor> waits = new ArrayList<>();
     for (Step step : plan.startable()) {
-      if (underway.contains(step) || underway.clashesWith(step) || underway.isHandedOver(step)) {
+      if (underway.contains(step)
+          || underway.clashesWith(step)
+          || underway.isHandedOver(step)
+          || underway.goesAlone(step)) {
         continue;
       }
       List<WaitsFor> obstacles = parts.resourceClaims().obstacles(step);
@@ -317,8 +321,14 @@ final class PlanFollowing {
         : story.becauseOf(ended.step(), ended.change());
   }
 
-  /** Is the rest of the plan still good, from what is known now? */
+  /**
+   * Is the rest of the plan still good, from what is known now? What a script does on its way is no
+   * matter of the plan that it is a step of: it is looked at when it has ended.
+   */
   private void reconsider(Supplier<String> why) {
+    if (underway.isAScript()) {
+      return;
+    }
     lookedAt = monitor.look();
     Optional<Plan> reached = monitor.holds();
     if (reached.isPresent()) {

@@ -81,6 +81,12 @@ public record Ports(
     return with(knowledge, planner, other, thinking, story, messenger);
   }
 
+  /** The same in another world: what is known, who bids and who is ordered. */
+  public Ports with(KnowledgeBase known, ContractNet bidders, ActionDispatcher crew) {
+    return new Ports(
+        known, planner, bidders, crew, thinking, owner, clock, story, journal, comeback, messenger);
+  }
+
   public Ports with(Story other) {
     return with(knowledge, planner, dispatcher, thinking, other, messenger);
   }

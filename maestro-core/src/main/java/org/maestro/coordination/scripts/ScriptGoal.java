@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.AnswerRefusal;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
 import org.maestro.coordination.api.GoalRequest;
@@ -17,6 +18,7 @@ import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Stakes;
+import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
@@ -76,6 +78,16 @@ public final class ScriptGoal implements GoalOfGoals {
     List<Term> arguments = ((Formula.Atom) request.goal()).arguments();
     Body steps = script.body() instanceof Body.Seq seq ? seq : new Body.Seq(List.of(script.body()));
     this.root = course.part(steps, Course.scope(script, arguments, 1), ROOT, this::ended);
+  }
+
+  /**
+   * The story of a script that is carried out for a step of a plan: part of that of the whole.
+   *
+   * @param id of the script as a goal, which is part of another
+   */
+  public static Story storyOfPart(String id, Ports ports) {
+    String whole = GoalId.whole(id);
+    return new ScriptStory(whole, ports).of(id.substring(whole.length() + 1));
   }
 
   /** The script that a goal asks for, if it does. */

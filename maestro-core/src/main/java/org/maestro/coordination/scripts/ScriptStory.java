@@ -1,6 +1,8 @@
 package org.maestro.coordination.scripts;
 
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
@@ -8,6 +10,9 @@ import org.maestro.coordination.api.StoryEntry;
 
 /** Tells how a script is carried out: what is done for its parts is part of its story. */
 final class ScriptStory {
+  /** The place of what a part of a part tells. */
+  private static final Pattern PATH = Pattern.compile("\\[([\\d.]+)\\] (.*)", Pattern.DOTALL);
+
   private final String goalId;
   private final Ports ports;
 
@@ -73,7 +78,14 @@ final class ScriptStory {
                 entry.text().startsWith("Reached") ? StoryEntry.Kind.DONE : StoryEntry.Kind.FAILED,
                 path,
                 entry.text());
-        default -> tell(entry.kind(), path, entry.text());
+        default -> {
+          Matcher ofAPart = PATH.matcher(entry.text());
+          if (ofAPart.matches()) {
+            tell(entry.kind(), path + "." + ofAPart.group(1), ofAPart.group(2));
+          } else {
+            tell(entry.kind(), path, entry.text());
+          }
+        }
       }
     };
   }

@@ -3,6 +3,7 @@ package org.maestro.ontology.home;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Body;
 import org.maestro.sl.Expression;
 import org.maestro.sl.SlPrinter;
@@ -17,6 +18,7 @@ import org.maestro.sl.TypedVariable;
  * @param benefit of having it carried out, in seconds of work, over its parameters
  * @param chance that it succeeds, as long as it was never tried
  * @param allowed simulated time within which its urgency grows to the highest
+ * @param action as which plans may use it; empty: its effect is not stated
  */
 public record Script(
     String name,
@@ -25,9 +27,25 @@ public record Script(
     Body body,
     Optional<Expression> benefit,
     Optional<Double> chance,
-    Optional<Duration> allowed) {
+    Optional<Duration> allowed,
+    Optional<FeatureType> action) {
+  /** The name under which all scripts take part in plans, as devices do under theirs. */
+  public static final String PLANNED_AS = "scripts";
+
   public Script {
     parameters = List.copyOf(parameters);
+  }
+
+  /** One that plans do not use. */
+  public Script(
+      String name,
+      String label,
+      List<TypedVariable> parameters,
+      Body body,
+      Optional<Expression> benefit,
+      Optional<Double> chance,
+      Optional<Duration> allowed) {
+    this(name, label, parameters, body, benefit, chance, allowed, Optional.empty());
   }
 
   /** One of which nothing else is said. */

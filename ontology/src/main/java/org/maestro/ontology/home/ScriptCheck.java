@@ -10,7 +10,10 @@ import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.ontology.vocabulary.NameCheck;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.ontology.vocabulary.Price;
 import org.maestro.sl.TypedVariable;
 
 /** Checks the scripts of a home: each by itself, and that they end. */
@@ -41,6 +44,7 @@ final class ScriptCheck {
         new BodyCheck(
             home, offers, (problem, cure) -> fault(node, Maestro.term("benefit"), problem, cure));
     script.benefit().ifPresent(benefit -> ofBenefit.names(variables).check(benefit));
+    script.action().ifPresent(action -> check(node, action, offers, variables));
     Node steps = ScriptReader.steps(graph, node);
     new BodyCheck(home, offers, (problem, cure) -> fault(node, steps, problem, cure))
         .check(script.body(), variables);
@@ -53,6 +57,30 @@ final class ScriptCheck {
           "put one of these runs under a condition, such as (if ... (run %s ...))"
               .formatted(endless.get(1)));
     }
+  }
+
+  /** The action as which plans use the script speaks of its arguments only. */
+  private void check(
+      Node node, FeatureType action, Offers offers, Map<String, List<String>> variables) {
+    names(node, "precondition", offers, variables).check(action.precondition());
+    names(node, "effect", offers, variables).check(action.effect());
+    if (action.cost() instanceof Price.Stated stated) {
+      names(node, "cost", offers, variables).check(stated.cost());
+    }
+    if (home.devices().containsKey(Script.PLANNED_AS)) {
+      fault(
+          node,
+          Maestro.term("effect"),
+          "is used in plans under the name %s, which a device has".formatted(Script.PLANNED_AS),
+          "give the device another name");
+    }
+  }
+
+  private NameCheck names(
+      Node node, String property, Offers offers, Map<String, List<String>> variables) {
+    return new BodyCheck(
+            home, offers, (problem, cure) -> fault(node, Maestro.term(property), problem, cure))
+        .names(variables);
   }
 
   private void checkParameters(Node node, List<TypedVariable> parameters) {

@@ -57,7 +57,8 @@ final class ScriptReader {
         body(node, parameters).orElse(new Body.Seq(List.of())),
         worth.benefit(node),
         worth.chance(node),
-        worth.allowed(node));
+        worth.allowed(node),
+        new ScriptedAction(graph, vocabulary).read(node, parameters));
   }
 
   /** The property that states a script's steps. */

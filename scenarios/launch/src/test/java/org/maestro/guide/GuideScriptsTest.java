@@ -46,7 +46,11 @@ class GuideScriptsTest {
   }
 
   private static Stage stage(String name) throws IOException {
-    Home home = new HomeLoader().load(turtle(), "bob.ttl");
+    return stage(name, turtle());
+  }
+
+  private static Stage stage(String name, String turtle) throws IOException {
+    Home home = new HomeLoader().load(turtle, "bob.ttl");
     return Stage.stepped(
         SiteSettings.of("scripts-" + name, home)
             .scene(
@@ -131,6 +135,21 @@ class GuideScriptsTest {
       Pursuit given = stage.begin(new AskedGoal("(bring Cup Bob)"));
       given.await();
       MaestroAssertions.assertThat(stage.knowledge()).knows("(in rose zone-b)");
+    }
+  }
+
+  @Test
+  void aScriptIsAStepOfThePlanThatNeedsIt() throws IOException {
+    String text = turtle() + "\n" + block("composite");
+    try (Stage stage = stage("composite", text)) {
+      GoalOutcome outcome = stage.goal("(and (ready zone-b) (nextTo Cup Bob))");
+
+      MaestroAssertions.assertThat(outcome)
+          .isReached()
+          .tells("the script prepare is run for zone-b")
+          .tells("[1.1");
+      MaestroAssertions.assertThat(stage.world()).hasNextTo("Cup", "Bob");
+      assertThat(stage.world().lux("zone-b")).isGreaterThanOrEqualTo(72);
     }
   }
 
