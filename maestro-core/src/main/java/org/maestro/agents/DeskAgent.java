@@ -7,7 +7,9 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
@@ -22,7 +24,9 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 
@@ -38,11 +42,14 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
 
   private static final int QUESTIONS_KEPT = 256;
   private static final int SPEECHES_KEPT = 200;
+  private static final int AGENTS_KEPT = 200;
 
   private final transient KnowledgeCache knowledge = new KnowledgeCache(this, QUESTIONS_KEPT);
 
   private final transient List<Consumer<Speech>> listeners = new ArrayList<>();
   private final transient Deque<Speech> recent = new ArrayDeque<>();
+  private final transient List<BiConsumer<String, Mood>> watchers = new ArrayList<>();
+  private final transient Map<String, Mood> moods = BoundedMap.ofNewest(AGENTS_KEPT);
 
   public DeskAgent(AgentTime time) {
     super(time);
@@ -60,6 +67,25 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
         });
   }
 
+  /**
+   * Has the listener told, on this agent's thread, of each mood that an agent shows, and of the
+   * latest of each.
+   *
+   * @param listener takes the agent's name, and the mood
+   */
+  public void whenShown(BiConsumer<String, Mood> listener) {
+    tell(
+        () -> {
+          moods.forEach(listener);
+          watchers.add(listener);
+        });
+  }
+
+  private void shown(String agent, Mood mood) {
+    moods.put(agent, mood);
+    watchers.forEach(watcher -> watcher.accept(agent, mood));
+  }
+
   private void said(Speech speech) {
     recent.addLast(speech);
     if (recent.size() > SPEECHES_KEPT) {
@@ -72,16 +98,22 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   protected void received(ACLMessage message) {
     for (Content content : Words.parse(message.getContent())) {
       Optional<Speech> speech = SpeechWords.read(content);
+      Optional<Mood> mood = SpeechWords.mood(content);
       if (speech.isPresent()) {
         said(speech.get());
-        reply(
-            message,
-            ACLMessage.INFORM,
-            Words.content("inform", Words.named("said", Words.name(speech.get().part()))));
+        confirm(message, speech.get().part());
+      } else if (mood.isPresent()) {
+        shown(message.getSender().getLocalName(), mood.get());
+        confirm(message, mood.get().part());
       } else {
         protest(message);
       }
     }
+  }
+
+  private void confirm(ACLMessage message, String part) {
+    reply(
+        message, ACLMessage.INFORM, Words.content("inform", Words.named("said", Words.name(part))));
   }
 
   private void protest(ACLMessage message) {

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.Messenger;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
 import org.maestro.sl.SlPrinter;
@@ -14,6 +15,7 @@ import org.maestro.sl.SlPrinter;
 /** Keeps what is said, and what agents are told; some take nothing. */
 final class Letters implements Messenger {
   final List<Speech> said = new ArrayList<>();
+  final List<Mood> moods = new ArrayList<>();
   final List<String> told = new ArrayList<>();
   final Set<String> deaf = new TreeSet<>();
 
@@ -21,6 +23,12 @@ final class Letters implements Messenger {
   public void say(Speech speech, Consumer<Optional<String>> then) {
     said.add(speech);
     then.accept(answer(speech.to()));
+  }
+
+  @Override
+  public void show(Mood mood, Consumer<Optional<String>> then) {
+    moods.add(mood);
+    then.accept(answer("everybody"));
   }
 
   @Override

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -96,6 +97,26 @@ class SpeechTest {
                 .reached())
         .isTrue();
     assertThat(house.letters.said).hasSize(1);
+  }
+
+  @Test
+  void aMoodIsShownWithAWordAndANumberThatIsReckoned() {
+    assertThat(
+            run("(let ?n (value (/ 1 4)) (seq (express glad ?n) (express \"at ease\" 1)"
+                    + " (let ?m (value 7) (try (express glad ?m)"
+                    + " (recover \"from 0 to 1\" (express cross 0))))))")
+                .reached())
+        .as(house.told())
+        .isTrue();
+
+    assertThat(house.letters.moods)
+        .containsExactly(
+            new Mood("G1.1.2.1.1", "glad", 0.25),
+            new Mood("G1.1.2.1.2", "at ease", 1),
+            new Mood("G1.1.2.1.3.2.1.3", "cross", 0));
+    assertThat(house.told()).contains("SAID [1.2.1.1] Shows that it is glad, by 0.25.");
+    assertThat(run("(express glad 1)", "everybody").reasons())
+        .containsExactly("everybody is deaf.");
   }
 
   /** To say something takes no time: a round of nothing else waits until there is news. */

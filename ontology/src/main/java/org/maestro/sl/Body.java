@@ -153,6 +153,14 @@ public sealed interface Body {
   /** A message for another agent; what comes of it is that agent's matter. */
   record Tell(Term agent, Content message) implements Body {}
 
+  /**
+   * The script's agent shows a mood, until it shows another.
+   *
+   * @param word for it
+   * @param intensity from 0 to 1
+   */
+  record Express(Term word, Term intensity) implements Body {}
+
   /** Somebody looks where the thing is, or how it is, whatever was known of that before. */
   record Look(Term thing) implements Body {}
 

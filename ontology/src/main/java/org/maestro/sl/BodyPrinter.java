@@ -72,6 +72,9 @@ final class BodyPrinter {
       return group("wait", parts(SlPrinter.print(pause.seconds())));
     } else if (body instanceof Body.Look look) {
       return group("look", parts(SlPrinter.print(look.thing())));
+    } else if (body instanceof Body.Express express) {
+      return group(
+          "express", parts(SlPrinter.print(express.word()), SlPrinter.print(express.intensity())));
     } else if (body instanceof Body.Return back) {
       return group("return", parts(SlPrinter.print(back.value())));
     }

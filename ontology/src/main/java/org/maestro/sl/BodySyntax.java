@@ -103,6 +103,11 @@ final class BodySyntax {
             ? new Body.Pause(ExpressionSyntax.expression(rest.get(0)))
             : new Body.Await(formulas.formula(rest.get(0)));
       }
+      case "express" -> {
+        expect(group, 2, 2, "a word and a number from 0 to 1, such as (express glad 0.8)");
+        yield new Body.Express(
+            ExpressionSyntax.term(rest.get(0)), ExpressionSyntax.term(rest.get(1)));
+      }
       case "look" -> {
         group.expectOperands(1, "a thing");
         yield new Body.Look(ExpressionSyntax.term(rest.get(0)));

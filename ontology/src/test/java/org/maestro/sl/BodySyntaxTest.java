@@ -118,6 +118,8 @@ class BodySyntaxTest {
         Arguments.of("(wait (dark zone-a))", new Body.Await(DARK)),
         Arguments.of("(wait 30)", new Body.Pause(new Expression.OfTerm(new Term.Number(30)))),
         Arguments.of("(wait ?n)", new Body.Pause(new Expression.OfTerm(new Term.Variable("n")))),
+        Arguments.of(
+            "(express glad 0.8)", new Body.Express(new Term.Name("glad"), new Term.Number(0.8))),
         Arguments.of("(look zone-a)", new Body.Look(ZONE)),
         Arguments.of("(return zone-a)", new Body.Return(ZONE)),
         Arguments.of("(fail \"no\")", FAIL));
@@ -194,6 +196,9 @@ class BodySyntaxTest {
         "(tell CCA) | 10 | A MESSAGE | \")\"",
         "(tell CCA (ping) (ping)) | 18 | \")\" | \"(ping ...)\"",
         "(tell CCA ping) | 11 | a content element such as (initCNP ...) | \"ping\"",
+        "(express glad) | 14 | a word and a number from 0 to 1, such as (express glad 0.8)"
+            + " | \")\"",
+        "(express glad 1 2) | 17 | \")\" | \"2\"",
         "(look) | 6 | a thing | \")\"",
         "(look (in Cup zone-a)) | 7 | a term | \"(in ...)\"",
         "(return) | 8 | a term | \")\"",

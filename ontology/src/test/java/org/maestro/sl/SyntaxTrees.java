@@ -153,6 +153,7 @@ final class SyntaxTrees {
         Arbitraries.oneOf(numbers().map(Term.Number::new), names().map(Term.Variable::new))
             .map(term -> new Body.Pause(new Expression.OfTerm(term))),
         terms().map(Body.Look::new),
+        Combinators.combine(terms(), terms()).as(Body.Express::new),
         terms().map(Body.Return::new),
         Arbitraries.strings().ofMaxLength(8).map(Body.Fail::new));
   }

@@ -3,6 +3,7 @@ package org.maestro.agents.content;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
 
@@ -45,6 +46,30 @@ public final class SpeechWords {
             to.get(),
             text.get(),
             words.string("wanted").map(type -> new Speech.Wanted(type, words.strings("choices")))));
+  }
+
+  /** {@code (inform (:express glad) (:intensity 0.8) (:part G7.2))}. */
+  public static Content content(Mood mood) {
+    return Words.content(
+        "inform",
+        Words.named("express", Words.name(mood.word())),
+        Words.named("intensity", Words.number(mood.intensity())),
+        Words.named("part", Words.name(mood.part())));
+  }
+
+  /** The same, read; empty: it is something else, or lacks a part. */
+  public static Optional<Mood> mood(Content content) {
+    Words words = Words.of(content);
+    Optional<String> word = words.string("express");
+    Optional<String> part = words.string("part");
+    double intensity = words.number("intensity", -1);
+    return content.operator().equals("inform")
+            && word.isPresent()
+            && part.isPresent()
+            && intensity >= 0
+            && intensity <= 1
+        ? Optional.of(new Mood(part.get(), word.get(), intensity))
+        : Optional.empty();
   }
 
   /** An answer to a question, as it comes to the central agent. */

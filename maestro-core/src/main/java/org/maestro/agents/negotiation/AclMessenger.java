@@ -11,6 +11,7 @@ import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Messenger;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
 
@@ -48,6 +49,17 @@ public final class AclMessenger implements Messenger {
                     .map(
                         reason ->
                             "%s could not be told anything: %s".formatted(speech.to(), reason))));
+  }
+
+  @Override
+  public void show(Mood mood, Consumer<Optional<String>> then) {
+    send(
+        mood.part(),
+        AgentNames.DESK,
+        SpeechWords.content(mood),
+        agent.patience().agreement(),
+        reply ->
+            then.accept(problem(reply).map(reason -> "Nobody could be shown that: " + reason)));
   }
 
   @Override

@@ -17,6 +17,13 @@ public interface Messenger {
   void say(Speech speech, Consumer<Optional<String>> then);
 
   /**
+   * Has people see a mood of the owner's, until it shows another.
+   *
+   * @param then told once: nothing when it is there, or else one sentence why it is not
+   */
+  void show(Mood mood, Consumer<Optional<String>> then);
+
+  /**
    * Sends an agent a message.
    *
    * @param part of the script that sends it; it travels along, so that who gets the message twice
@@ -31,6 +38,11 @@ public interface Messenger {
       @Override
       public void say(Speech speech, Consumer<Optional<String>> then) {
         then.accept(Optional.of("There is no way to tell %s here.".formatted(speech.to())));
+      }
+
+      @Override
+      public void show(Mood mood, Consumer<Optional<String>> then) {
+        then.accept(Optional.of("Nobody is here to see anything."));
       }
 
       @Override

@@ -31,10 +31,13 @@ final class Asking extends Part {
     if (noted.isPresent()) {
       goOn(noted.get());
     } else if (who instanceof Term.Name name) {
-      course.ask(
-          path,
-          new Question(name.text(), scope.apply(ask.words()), ask.type(), this::answered),
-          problem -> finish(new Result.Failed(problem)));
+      course.takesTime();
+      course
+          .voice()
+          .ask(
+              path,
+              new Question(name.text(), scope.apply(ask.words()), ask.type(), this::answered),
+              problem -> finish(new Result.Failed(problem)));
     } else {
       finish(new Result.Failed("%s hears nothing.".formatted(SlPrinter.print(who))));
     }
@@ -59,7 +62,7 @@ final class Asking extends Part {
 
   @Override
   void stop(Runnable then) {
-    course.withdraw(path);
+    course.voice().withdraw(path);
     parts.ifPresentOrElse(part -> part.callOff(then), then);
   }
 }

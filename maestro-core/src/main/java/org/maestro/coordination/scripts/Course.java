@@ -11,7 +11,6 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.maestro.coordination.achievement.FeatureCall;
-import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
@@ -20,18 +19,15 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Resource;
-import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.knowledge.api.Source;
-import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Script;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Body;
 import org.maestro.sl.Change;
-import org.maestro.sl.Content;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -58,7 +54,7 @@ final class Course {
   private final PartMaker parts;
   private final Consumer<GoalOutcome> partEnded;
   private final Notes notes;
-  private final OpenQuestions questions = new OpenQuestions();
+  private final Voice voice;
   private final ScriptStory told;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
   private final Map<String, HoldGoal> holds = new LinkedHashMap<>();
@@ -97,6 +93,7 @@ final class Course {
     this.partEnded = partEnded;
     this.notes = new Notes(goalId, ports.journal());
     this.told = new ScriptStory(goalId, ports);
+    this.voice = new Voice(ports, activeGoals, notes, told);
   }
 
   static Scope scope(Script script, List<Term> arguments, int depth) {
@@ -118,6 +115,16 @@ final class Course {
 
   ScriptStory told() {
     return told;
+  }
+
+  /** By which parts speak to people and agents. */
+  Voice voice() {
+    return voice;
+  }
+
+  /** A part has begun that takes time. */
+  void takesTime() {
+    deeds++;
   }
 
   /** Goals that are pursued for parts now. */
@@ -263,86 +270,6 @@ final class Course {
     List<String> facts = known().changes(effect, Map.of()).stream().map(Course::fact).toList();
     ports.knowledge().state(new Source(Source.Kind.STATED, notes.partId(path)), facts);
     told.states(path, String.join(", ", facts));
-  }
-
-  /**
-   * What was done before is written down first, so that only this is said again after a restart.
-   *
-   * @param then told nothing when it is where people hear it, or else why not
-   */
-  void say(String path, String who, List<Term> words, Consumer<Optional<String>> then) {
-    Speech speech =
-        new Speech(notes.partId(path), who, Sentence.of(words, ports.knowledge().home()));
-    Consumer<Optional<String>> answered =
-        problem -> {
-          if (problem.isEmpty()) {
-            told.says(path, who, speech.text());
-          }
-          activeGoals.run(() -> then.accept(problem));
-        };
-    ports.journal().afterwards(() -> ports.messenger().say(speech, answered));
-  }
-
-  /**
-   * The same, of a question, which is open from now on.
-   *
-   * @param failed told why nobody could be asked
-   */
-  void ask(String path, Question question, Consumer<String> failed) {
-    deeds++;
-    questions.ask(path, question);
-    Home home = ports.knowledge().home();
-    Speech speech =
-        new Speech(
-            notes.partId(path),
-            question.who(),
-            Sentence.of(question.words(), home),
-            Optional.of(
-                new Speech.Wanted(question.type(), new Answers(question.type(), home).choices())));
-    Consumer<Optional<String>> asked =
-        problem -> {
-          if (problem.isEmpty()) {
-            told.asks(path, question.who(), speech.text());
-          } else {
-            questions.withdraw(path);
-            activeGoals.run(() -> failed.accept(problem.get()));
-          }
-        };
-    ports
-        .journal()
-        .afterwards(
-            () -> {
-              if (questions.isOpen(path)) {
-                ports.messenger().say(speech, asked);
-              }
-            });
-  }
-
-  void withdraw(String path) {
-    questions.withdraw(path);
-  }
-
-  /** See {@link OpenQuestions#answer}. */
-  Optional<AnswerRefusal> answer(String path, String text) {
-    return questions.answer(path, notes.partId(path), text, ports.knowledge().home());
-  }
-
-  /** Questions that wait for an answer, in words. */
-  List<String> openQuestions() {
-    return questions.inWords(ports.knowledge().home());
-  }
-
-  /**
-   * The same, of an agent and a message.
-   *
-   * @param then told nothing when the agent has taken it, or else why not
-   */
-  void tell(String path, String agent, Content message, Consumer<Optional<String>> then) {
-    told.tells(path, agent, SlPrinter.print(message));
-    Consumer<Optional<String>> answered = problem -> activeGoals.run(() -> then.accept(problem));
-    ports
-        .journal()
-        .afterwards(() -> ports.messenger().tell(notes.partId(path), agent, message, answered));
   }
 
   private static String fact(Change change) {

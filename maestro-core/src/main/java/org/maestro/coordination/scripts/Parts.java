@@ -33,7 +33,9 @@ final class Parts {
         || body instanceof Body.Look
         || body instanceof Body.Do) {
       return new Deed(body, scope, course, path, then);
-    } else if (body instanceof Body.Say || body instanceof Body.Tell) {
+    } else if (body instanceof Body.Say
+        || body instanceof Body.Express
+        || body instanceof Body.Tell) {
       return new Telling(body, scope, course, path, then);
     } else if (body instanceof Body.Await || body instanceof Body.Pause) {
       return new Waiting(body, scope, course, path, then);

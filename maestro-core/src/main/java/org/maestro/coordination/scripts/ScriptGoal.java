@@ -172,7 +172,7 @@ public final class ScriptGoal implements GoalOfGoals {
    * @return why it is not taken; empty when it is, and is being written down
    */
   public Optional<AnswerRefusal> answer(String part, String text) {
-    return course.answer(part.substring(id().length() + 1), text);
+    return course.voice().answer(part.substring(id().length() + 1), text);
   }
 
   private void partEnded(GoalOutcome part) {
@@ -238,7 +238,7 @@ public final class ScriptGoal implements GoalOfGoals {
     List<GoalStatus> parts = course.underway().stream().map(ActiveGoal::status).toList();
     List<WaitsFor> waits = parts.stream().flatMap(part -> part.waits().stream()).toList();
     GoalStatus own = life.status(waits).worth(activeGoals.appraisals().find(id()));
-    List<String> questions = course.openQuestions();
+    List<String> questions = course.voice().openQuestions();
     if (own.state() != GoalState.RUNNING || parts.isEmpty() && questions.isEmpty()) {
       return own;
     }

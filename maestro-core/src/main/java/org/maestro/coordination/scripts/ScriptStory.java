@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.maestro.coordination.api.GoalId;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.sl.SlPrinter;
 
 /** Tells how a script is carried out: what is done for its parts is part of its story. */
 final class ScriptStory {
@@ -48,6 +50,13 @@ final class ScriptStory {
 
   void says(String path, String who, String text) {
     tell(StoryEntry.Kind.SAID, path, "To %s: \"%s\"".formatted(who, text));
+  }
+
+  void expresses(String path, Mood mood) {
+    tell(
+        StoryEntry.Kind.SAID,
+        path,
+        "Shows that it is %s, by %s.".formatted(mood.word(), SlPrinter.print(mood.intensity())));
   }
 
   void asks(String path, String who, String text) {

@@ -25,21 +25,43 @@ final class Telling extends Part {
     if (body instanceof Body.Say say) {
       Term who = scope.apply(say.who());
       if (who instanceof Term.Name name) {
-        course.say(path, name.text(), scope.apply(say.words()), this::told);
+        course.voice().say(path, name.text(), scope.apply(say.words()), this::told);
       } else {
         finish(new Result.Failed("%s hears nothing.".formatted(SlPrinter.print(who))));
       }
       return;
     }
+    if (body instanceof Body.Express express) {
+      show(word(scope.apply(express.word())), scope.apply(express.intensity()));
+      return;
+    }
     Body.Tell tell = (Body.Tell) body;
     Term agent = scope.apply(tell.agent());
-    if (agent instanceof Term.Name name) {
-      course.tell(path, name.text(), scope.apply(tell.message()), this::told);
-    } else if (agent instanceof Term.Text name) {
-      course.tell(path, name.value(), scope.apply(tell.message()), this::told);
+    word(agent)
+        .ifPresentOrElse(
+            name -> course.voice().tell(path, name, scope.apply(tell.message()), this::told),
+            () -> finish(new Result.Failed("%s is no agent.".formatted(SlPrinter.print(agent)))));
+  }
+
+  private void show(Optional<String> word, Term intensity) {
+    if (word.isPresent()
+        && intensity instanceof Term.Number number
+        && number.value() >= 0
+        && number.value() <= 1) {
+      course.voice().express(path, word.get(), number.value(), this::told);
     } else {
-      finish(new Result.Failed("%s is no agent.".formatted(SlPrinter.print(agent))));
+      finish(
+          new Result.Failed(
+              "%s is no number from 0 to 1, by which something could be shown."
+                  .formatted(SlPrinter.print(intensity))));
     }
+  }
+
+  private static Optional<String> word(Term term) {
+    if (term instanceof Term.Name name) {
+      return Optional.of(name.text());
+    }
+    return term instanceof Term.Text text ? Optional.of(text.value()) : Optional.empty();
   }
 
   private void told(Optional<String> problem) {

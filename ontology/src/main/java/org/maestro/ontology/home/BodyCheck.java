@@ -98,6 +98,12 @@ final class BodyCheck {
         names.check(tell.agent());
       }
       speech.check(tell, variables);
+    } else if (body instanceof Body.Express express) {
+      names.check(express.intensity());
+      if (express.word() instanceof Term.Variable) {
+        names.check(express.word());
+      }
+      speech.check(express, variables);
     } else if (body instanceof Body.Look look) {
       names.check(look.thing());
       speech.check(look, variables);

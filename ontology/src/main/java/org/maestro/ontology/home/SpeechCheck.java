@@ -23,6 +23,8 @@ final class SpeechCheck {
   private static final List<String> ANSWERS =
       List.of("string", "boolean", "double", "decimal", "integer");
 
+  private static final List<String> A_NUMBER = List.of("decimal");
+
   private final Home home;
   private final TermFit fit;
   private final BiConsumer<String, String> problems;
@@ -54,6 +56,28 @@ final class SpeechCheck {
       problems.accept(
           "asks for an answer of the unknown class " + type,
           Nearest.cure(type, known, "write a class, or one of " + String.join(", ", ANSWERS)));
+    }
+  }
+
+  /** Any word will do for a mood. */
+  void check(Body.Express express, Map<String, List<String>> variables) {
+    Term intensity = express.intensity();
+    boolean isShare =
+        !(intensity instanceof Term.Number number) || number.value() >= 0 && number.value() <= 1;
+    if (!isShare || !fit.fits(intensity, A_NUMBER, variables)) {
+      problems.accept(
+          "expresses something by %s, which is no number from 0 to 1"
+              .formatted(SlPrinter.print(intensity)),
+          "write how much, such as (express glad 0.8)");
+    }
+    boolean isWord =
+        express.word() instanceof Term.Name
+            || express.word() instanceof Term.Text
+            || express.word() instanceof Term.Variable;
+    if (!isWord) {
+      problems.accept(
+          "expresses %s, which is no word".formatted(SlPrinter.print(express.word())),
+          "write a word, such as (express glad 0.8)");
     }
   }
 

@@ -112,6 +112,7 @@ class ScriptReaderTest {
         "(say room-a \\\"Good night.\\\")",
         "(foreach (?p - Person) (in ?p zone-a) (say ?p \\\"Hello,\\\" ?p))",
         "(tell CCA (initCNP (:goal (canSee ?agent Cup))))",
+        "(let ?n (value (level lamp-a1)) (seq (express glad ?n) (express \\\"at ease\\\" 0)))",
         "(seq (look Cup) (look zone-a) (look Bob) (look rose))",
         "(foreach (?i - Item) (in ?i zone-a) (look ?i))",
         "(seq (ask Bob \\\"Which room?\\\" ?room Zone) (do move rose :to ?room) (wait 1))",
@@ -257,6 +258,12 @@ class ScriptReaderTest {
         "(seq (if (open door-ab) (ask Bob \\\"Well?\\\" ?x)) (return ?x))"
             + " | body uses ?x, which nothing binds",
         "(seq (ask Bob \\\"Well?\\\" ?x) (run faulty ?room ?who)) | body runs itself without an end",
+        "(express glad 3) | body expresses something by 3, which is no number from 0 to 1;"
+            + " write how much, such as (express glad 0.8)",
+        "(express glad very) | body names very, which is not described",
+        "(express glad ?who) | body expresses something by ?who, which is no number from 0 to 1",
+        "(express glad ?much) | body uses ?much, which nothing binds",
+        "(express 1 1) | body expresses 1, which is no word; write a word, such as",
         "(look room-a) | body looks at room-a, of which there is nothing to see; name a thing that",
         "(look ?level) | body uses ?level, which nothing binds",
         "(let ?n (value (illuminance zone-a)) (look ?n)) | body looks at ?n, of which there is nothing",

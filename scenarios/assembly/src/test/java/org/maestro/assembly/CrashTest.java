@@ -42,7 +42,10 @@ class CrashTest {
   /** What is said and told in it; once more by who died before it was written down. */
   private static final List<String> LETTERS =
       List.of(
-          "G1.4 The robot is in room A.", "G1.5 (ping (:room zone-a))", "G1.6 Shall it be dim?");
+          "G1.4 The robot is in room A.",
+          "G1.5 (ping (:room zone-a))",
+          "G1.6 Shall it be dim?",
+          "G1.6.1.1 calm");
 
   private static Home home;
   private static Scene scene;
@@ -157,6 +160,7 @@ class CrashTest {
               (say Bob "The robot is in" ?room ".")
               (tell CCA (ping (:room ?room)))
               (ask Bob "Shall it be dim?" ?dim boolean)
+              (express calm 0.5)
               (if (= ?dim false) (fail "It is to stay bright."))
               (par (do adjustLight lamp-a1 :level 0.5) (do adjustLight lamp-a2 :level 0.25))
               (let ?dim (one (?l - Lamp) (= (level ?l) 0.5))

@@ -20,6 +20,7 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Messenger;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.api.StoryEntry;
@@ -204,6 +205,11 @@ final class MortalSite implements AutoCloseable {
         if (speech.wanted().isPresent()) {
           clock.schedule(ANSWER, CONTROLLER, () -> unlessDead(() -> answer(speech.part())));
         }
+      }
+
+      @Override
+      public void show(Mood mood, Consumer<Optional<String>> then) {
+        send(mood.part() + " " + mood.word(), then);
       }
 
       @Override

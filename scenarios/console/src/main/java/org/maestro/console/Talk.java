@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.stream.Stream;
 import org.maestro.console.api.Operation;
 import org.maestro.console.chat.Chat;
 import org.maestro.console.chat.GoalStories;
+import org.maestro.console.chat.Moods;
 import org.maestro.console.chat.WrittenInterlocutor;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.platform.MaestroPlatform;
@@ -17,6 +19,7 @@ final class Talk implements AutoCloseable {
   private final MaestroPlatform platform;
   private final GoalStories stories = new GoalStories();
   private final Chat chat;
+  private final Moods moods = new Moods();
   private final ScheduledExecutorService thread =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -39,7 +42,7 @@ final class Talk implements AutoCloseable {
   }
 
   List<Operation> operations() {
-    return chat.operations();
+    return Stream.concat(chat.operations().stream(), Stream.of(moods.operation())).toList();
   }
 
   EventSource news() {
@@ -50,6 +53,13 @@ final class Talk implements AutoCloseable {
   void begin() {
     platform.onStory(stories);
     platform.desk().whenSaid(chat::hear);
+    platform
+        .desk()
+        .whenShown(
+            (agent, mood) -> {
+              moods.show(agent, mood);
+              chat.see(agent, mood);
+            });
     rounds = List.of(news.begin());
   }
 

@@ -31,7 +31,7 @@ class ChatPageTest {
             """
 
             home:greet a maestro:Script ; maestro:arguments ( "?who - Person" "?room - Room" ) ;
-              maestro:body \"""(seq (say ?who "Hello," ?who ".") (say ?room "It is dark."))\""" .
+              maestro:body \"""(seq (say ?who "Hello," ?who ".") (say ?room "It is dark.") (express "at ease" 0.8))\""" .
             home:offer a maestro:Script ; maestro:arguments ( "?whom - Listener" ) ;
               maestro:body \"""(seq (ask ?whom "How bright?" ?lux double)
                 (ask ?whom "Shall it stay?" ?stay boolean) (return ?lux))\""" .
@@ -128,6 +128,18 @@ class ChatPageTest {
     assertThat(spoken(goal))
         .extracting(entry -> entry.path("text").asText())
         .containsExactly("Hello, Bob.", "It is dark.");
+    JsonNode shown =
+        Awaitility.await()
+            .atMost(LIMIT)
+            .until(
+                () -> find(0, "shown", entry -> entry.path("goal").asText().equals(goal)),
+                found -> !found.isMissingNode());
+    assertThat(shown.path("text").asText()).isEqualTo("CCA is at ease, by 0.8.");
+    JsonNode moods = home.get("/moods").document();
+    home.assertValid(moods, "moods");
+    assertThat(moods.at("/moods/0/agent").asText()).isEqualTo("CCA");
+    assertThat(moods.at("/moods/0/word").asText()).isEqualTo("at ease");
+    assertThat(moods.at("/moods/0/intensity").asDouble()).isEqualTo(0.8);
     home.assertValid(home.get("/chat").document(), "chat");
     assertThat(home.get("/goals/" + goal + "/story").document().toString())
         .contains("\"kind\":\"said\"")

@@ -17,6 +17,7 @@ import org.maestro.console.documents.ShownText;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -185,6 +186,11 @@ public final class Chat implements Source {
     add(
         ChatEntry.spoken(
             speech, isForOne ? speech.to() : "", isForOne ? "" : speech.to(), wall.instant()));
+  }
+
+  /** An agent shows a mood, to all who look. */
+  public void see(String agent, Mood mood) {
+    add(ChatEntry.shown(agent, mood, wall.instant()));
   }
 
   private synchronized Interlocutor partner(String person) {

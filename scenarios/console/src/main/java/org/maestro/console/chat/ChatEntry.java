@@ -3,7 +3,9 @@ package org.maestro.console.chat;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.sl.SlPrinter;
 
 /**
  * Something that was said in a conversation.
@@ -66,6 +68,18 @@ record ChatEntry(
         speech.text(),
         speech.wanted().map(Speech.Wanted::choices).orElse(List.of()),
         speech.wanted().map(wanted -> speech.part()));
+  }
+
+  static ChatEntry shown(String agent, Mood mood, Instant at) {
+    return new ChatEntry(
+        at,
+        "",
+        "",
+        "shown",
+        Optional.of(mood.goalId()),
+        "%s is %s, by %s.".formatted(agent, mood.word(), SlPrinter.print(mood.intensity())),
+        List.of(),
+        Optional.empty());
   }
 
   private static ChatEntry entry(

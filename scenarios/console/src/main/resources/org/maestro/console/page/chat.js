@@ -7,10 +7,10 @@ import { clockTime } from "./past.js";
 const MOST = 2000;
 const MOST_SHOWN = 200;
 const SIGNS = {
-  spoken: ["❝", ""], understood: ["▷", ""], told: ["·", "quiet"], asked: ["?", "wait"], reached: ["✓", "good"], ended: ["✗", "bad"], misunderstood: ["✗", "bad"],
+  spoken: ["❝", ""], shown: ["☺", "quiet"], understood: ["▷", ""], told: ["·", "quiet"], asked: ["?", "wait"], reached: ["✓", "good"], ended: ["✗", "bad"], misunderstood: ["✗", "bad"],
 };
 const WORDS = {
-  spoken: "", understood: "Understood", told: "", asked: "Asked back", reached: "Done", ended: "Not done", misunderstood: "Not understood",
+  spoken: "", shown: "", understood: "Understood", told: "", asked: "Asked back", reached: "Done", ended: "Not done", misunderstood: "Not understood",
 };
 
 let entries = [];
@@ -58,7 +58,7 @@ function line(entry) {
   const [sign, tone] = SIGNS[entry.kind] ?? ["·", ""];
   return make("li", { class: `answer ${entry.kind}` },
     make("p", {},
-      make("span", { class: `state ${tone}`, "data-sign": sign }, WORDS[entry.kind]), " ",
+      make("span", { class: `state ${tone}`, "data-sign": sign }, entry.question === null ? WORDS[entry.kind] : "Asks"), " ",
       entry.goal ? [goalButton(entry.goal), " "] : "",
       entry.kind === "understood" ? make("code", {}, entry.text) : make("span", {}, entry.text)),
     entry.near.length > 0
@@ -75,7 +75,7 @@ function examples(person) {
 
 /** What is said in the room is for all who are there. */
 function drawLines(person, room) {
-  const its = entries.filter((entry) => (entry.person === null ? entry.room === room : entry.person === person)).slice(-MOST_SHOWN);
+  const its = entries.filter((entry) => (entry.person === null ? entry.room === null || entry.room === room : entry.person === person)).slice(-MOST_SHOWN);
   const now = `${person} ${room} ${its.length} ${its.at(-1)?.number} ${state.home.label}`;
   if (drawn === now) {
     return;
