@@ -474,15 +474,16 @@ public final class Coordinator {
    * leaves the question open.
    *
    * @param part of the script that asked, such as G7.2
+   * @param who answers, of whom the story tells
    * @param then told once: nothing when it was taken and would survive the end of the process, or
    *     else why it was not
    */
-  public void answer(String part, String text, Consumer<Optional<AnswerRefusal>> then) {
+  public void answer(String part, String text, String who, Consumer<Optional<AnswerRefusal>> then) {
     activeGoals.run(
         () -> {
           Optional<AnswerRefusal> refusal =
               GoalId.isPart(part) && pursuits.get(GoalId.whole(part)) instanceof ScriptGoal script
-                  ? script.answer(part, text)
+                  ? script.answer(part, text, who)
                   : Optional.of(AnswerRefusal.notOpen(part));
           if (refusal.isEmpty()) {
             ports.journal().afterwards(() -> then.accept(refusal));

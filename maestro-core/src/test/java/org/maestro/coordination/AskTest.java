@@ -62,7 +62,7 @@ class AskTest {
 
   private Optional<AnswerRefusal> answer(String part, String text) {
     List<Optional<AnswerRefusal>> told = new ArrayList<>();
-    house.coordinator.answer(part, text, told::add);
+    house.coordinator.answer(part, text, "Bob", told::add);
     assertThat(told).hasSize(1);
     house.clock.run(Duration.ofSeconds(1));
     return told.get(0);
@@ -94,7 +94,7 @@ class AskTest {
     assertThat(outcome().binding()).containsOnlyKeys("result");
     assertThat(SlPrinter.print(outcome().binding().get("result"))).isEqualTo(value);
     assertThat(house.told()).contains("G1 SAID [1] Asks Bob: \"Well?\" Answer by ./maestro answer");
-    assertThat(house.told()).contains("G1 KNOWN [1] ?it is " + value);
+    assertThat(house.told()).contains("G1 KNOWN [1] ?it is " + value + ", as Bob has answered.");
   }
 
   @ParameterizedTest

@@ -81,12 +81,7 @@ public final class GoalRequests {
     }
     Formula goal = stated.get();
     Caller requester = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
-    if (!AccessList.of(knowledge.home()).knows(requester.names())) {
-      agent.refuse(
-          message,
-          ACLMessage.REFUSE,
-          "No maestro:Permission of the home lets %s ask anybody for anything."
-              .formatted(String.join(" or ", requester.names())));
+    if (!mayAsk(requester, message)) {
       return;
     }
     try {
@@ -105,6 +100,19 @@ public final class GoalRequests {
                   "reason", Words.text(Objects.requireNonNullElse(e.getMessage(), e.toString()))),
               Words.named("invalid", Words.name("true"))));
     }
+  }
+
+  /** Who may not is told so. */
+  private boolean mayAsk(Caller requester, ACLMessage message) {
+    boolean mayAsk = AccessList.of(knowledge.home()).knows(requester.names());
+    if (!mayAsk) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          "No maestro:Permission of the home lets %s ask anybody for anything."
+              .formatted(String.join(" or ", requester.names())));
+    }
+    return mayAsk;
   }
 
   private Coordinator.Answer answer(ACLMessage message) {
@@ -210,12 +218,20 @@ public final class GoalRequests {
     }
   }
 
-  /** An answer to a question of a script; who asked is told when it is taken, or why it is not. */
+  /**
+   * An answer to a question of a script, by who may state goals; told back is when it is taken, or
+   * why it is not.
+   */
   public void answer(ACLMessage message, Words words) {
+    Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
+    if (!mayAsk(caller, message)) {
+      return;
+    }
     String question = words.string("question").orElse("");
     coordinator.answer(
         question,
         words.string("text").orElse(""),
+        caller.toString(),
         refusal -> {
           if (refusal.isPresent()) {
             agent.reply(

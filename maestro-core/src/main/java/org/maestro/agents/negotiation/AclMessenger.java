@@ -1,6 +1,5 @@
 package org.maestro.agents.negotiation;
 
-import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
 import java.util.Optional;
@@ -84,8 +83,7 @@ public final class AclMessenger implements Messenger {
       Content message,
       Duration patience,
       Consumer<ACLMessage> answered) {
-    ACLMessage letter =
-        agent.message(performative(message), new AID(receiver, AID.ISLOCALNAME), message);
+    ACLMessage letter = agent.message(performative(message), agent.getAID(receiver), message);
     letter.addUserDefinedParameter(PART, part);
     new FirstAnswer(letter, patience, answered);
   }

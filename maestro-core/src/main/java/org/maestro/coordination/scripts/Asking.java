@@ -43,9 +43,9 @@ final class Asking extends Part {
     }
   }
 
-  private void answered(Term answer) {
+  private void answered(Term answer, String who) {
     course.notes().value(path, answer);
-    course.told().gives(path, ask.answer().name(), SlPrinter.print(answer));
+    course.told().answers(path, ask.answer().name(), SlPrinter.print(answer), who);
     goOn(answer);
   }
 

@@ -29,7 +29,7 @@ final class OpenQuestions {
    *
    * @return why it is not taken; empty when it is
    */
-  Optional<AnswerRefusal> answer(String path, String part, String text, Home home) {
+  Optional<AnswerRefusal> answer(String path, String part, String text, String who, Home home) {
     Question question = open.get(path);
     if (question == null) {
       return Optional.of(AnswerRefusal.notOpen(part));
@@ -43,7 +43,7 @@ final class OpenQuestions {
               true));
     }
     open.remove(path);
-    question.answered().accept(answer.get());
+    question.answered().accept(answer.get(), who);
     return Optional.empty();
   }
 

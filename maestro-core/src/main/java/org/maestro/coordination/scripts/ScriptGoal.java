@@ -171,8 +171,8 @@ public final class ScriptGoal implements GoalOfGoals {
    *
    * @return why it is not taken; empty when it is, and is being written down
    */
-  public Optional<AnswerRefusal> answer(String part, String text) {
-    return course.voice().answer(part.substring(id().length() + 1), text);
+  public Optional<AnswerRefusal> answer(String part, String text, String who) {
+    return course.voice().answer(part.substring(id().length() + 1), text, who);
   }
 
   private void partEnded(GoalOutcome part) {

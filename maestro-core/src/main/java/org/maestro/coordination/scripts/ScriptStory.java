@@ -36,6 +36,13 @@ final class ScriptStory {
     tell(StoryEntry.Kind.KNOWN, path, "?%s is %s.".formatted(variable, value));
   }
 
+  void answers(String path, String variable, String value, String who) {
+    tell(
+        StoryEntry.Kind.KNOWN,
+        path,
+        "?%s is %s, as %s has answered.".formatted(variable, value, who));
+  }
+
   void waits(String path, String condition) {
     tell(StoryEntry.Kind.WAIT, path, "Waits until it is known that " + condition + ".");
   }

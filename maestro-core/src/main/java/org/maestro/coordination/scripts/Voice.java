@@ -114,8 +114,8 @@ final class Voice {
   }
 
   /** See {@link OpenQuestions#answer}. */
-  Optional<AnswerRefusal> answer(String path, String text) {
-    return questions.answer(path, notes.partId(path), text, ports.knowledge().home());
+  Optional<AnswerRefusal> answer(String path, String text, String who) {
+    return questions.answer(path, notes.partId(path), text, who, ports.knowledge().home());
   }
 
   /** Questions that wait for an answer, in words. */

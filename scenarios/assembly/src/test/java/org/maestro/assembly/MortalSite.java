@@ -224,6 +224,7 @@ final class MortalSite implements AutoCloseable {
         coordinator.answer(
             part,
             "yes",
+            "somebody",
             refusal -> {
               assertThat(refusal).isEmpty();
               answered.add(part);

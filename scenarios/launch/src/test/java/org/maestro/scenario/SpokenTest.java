@@ -7,14 +7,18 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.console.questions.AclQuestions;
 import org.maestro.coordination.api.Speech;
 import org.maestro.junit.MaestroAssertions;
+import org.maestro.junit.Pursuit;
 import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -94,6 +98,34 @@ class SpokenTest {
       assertThat(heard)
           .extracting(Speech::text)
           .containsExactly("There is no gardener.", "It does not know that.");
+    }
+  }
+
+  /** As the guide has it: both answers, each by the desk. */
+  @Test
+  void whatIsAnsweredIsGoneBy() throws IOException {
+    try (Stage stage = stage("offer")) {
+      AclQuestions questions = new AclQuestions(stage.platform().desk());
+      Pursuit unwanted = stage.begin("(offer Cup Bob)").awaitTelling("Asks Bob: \"Shall I bring");
+      CompletableFuture<Void> no = questions.answer("G1.2", "no");
+      MaestroAssertions.assertThat(unwanted.await())
+          .isReached()
+          .tells("[1] Seen: (in Cup zone-b).")
+          .tells("[2] ?wanted is false, as desk has answered.")
+          .tells("To Bob: \"Then it stays where it is.\"");
+      assertThat(no).isCompleted();
+
+      Pursuit wanted = stage.begin("(offer Cup Bob)").awaitTelling("Asks Bob: \"Shall I bring");
+      CompletableFuture<Void> wrong = questions.answer("G2.2", "perhaps");
+      stage.await("a refusal", wrong::isDone);
+      assertThat(wrong)
+          .failsWithin(Duration.ZERO)
+          .withThrowableThat()
+          .withMessageContaining("G2.2 is not answered by \"perhaps\"; write one of yes, no.");
+      CompletableFuture<Void> yes = questions.answer("G2.2", "yes");
+      MaestroAssertions.assertThat(wanted.await()).isReached().tells("Shows that it is glad");
+      assertThat(yes).isCompleted();
+      MaestroAssertions.assertThat(stage.world()).hasNextTo("Cup", "Bob");
     }
   }
 }
