@@ -259,7 +259,7 @@ public final class Coordinator {
   /** A script that is a step of a plan. */
   private ActiveGoal run(String id, Formula.Atom goal, Ports within, Consumer<GoalOutcome> ended) {
     String whole = GoalId.whole(id);
-    GoalStatus asked = pursuits.get(whole).status();
+    GoalStatus asked = activeGoals.find(whole).orElseThrow().status();
     GoalRequest request =
         new GoalRequest(goal, asked.requester(), asked.priority(), Optional.empty());
     GoalPriority standing = activeGoals.leases().ownStanding(whole);
