@@ -35,7 +35,8 @@ class SpokenTest {
         maestro:body \"""(seq
           (try (tell gardener (ping)) (recover "no such agent" (say Bob "There is no gardener.")))
           (try (tell CCA (ping)) (recover "operator ping" (say Bob "It does not know that.")))
-          (tell CCA (query-ref waits)))\""" .
+          (tell CCA (query-ref waits))
+          (tell CCA (inform (:goal other-1) (:state achieved))))\""" .
       """;
 
   private static Stage stage(String name) throws IOException {
@@ -93,7 +94,8 @@ class SpokenTest {
       MaestroAssertions.assertThat(stage.goal("(dawn)"))
           .isReached()
           .tells("gardener has not taken it: there is no such agent; ./maestro agents lists")
-          .tells("CCA has not taken it: The CCA does not know the operator ping;");
+          .tells("CCA has not taken it: The CCA does not know the operator ping;")
+          .tells("[4] The agent CCA is told (inform (:goal other-1) (:state achieved)).");
 
       assertThat(heard)
           .extracting(Speech::text)
