@@ -32,6 +32,8 @@ import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.habits.HabitLog;
+import org.maestro.knowledge.habits.Habits;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.Device;
@@ -39,6 +41,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.WordList;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
+import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Self;
@@ -77,13 +80,28 @@ public final class KnowledgeAgent extends MaestroAgent {
   private final transient KnowledgeSubscriptions subscriptions =
       new KnowledgeSubscriptions(this::inform);
 
+  private final transient Habits habits;
   private transient Optional<AccessRead> accessRead = Optional.empty();
+  private transient Clock.Timer review = () -> {};
 
+  /** One that remembers no habits beyond its own end. */
   public KnowledgeAgent(
       AgentTime time, KnowledgeBase knowledge, BiFunction<String, String, Device> describedBy) {
+    this(time, knowledge, describedBy, HabitLog.NONE);
+  }
+
+  /**
+   * @param habitLog remembers what is counted
+   */
+  public KnowledgeAgent(
+      AgentTime time,
+      KnowledgeBase knowledge,
+      BiFunction<String, String, Device> describedBy,
+      HabitLog habitLog) {
     super(time);
     this.knowledge = knowledge;
     this.describedBy = describedBy;
+    this.habits = new Habits(knowledge, time.clock(), habitLog);
   }
 
   @Override
@@ -94,7 +112,35 @@ public final class KnowledgeAgent extends MaestroAgent {
           if (!subscriptions.isEmpty()) {
             tell(() -> subscriptions.changed(knowledge.snapshot()));
           }
+          if (habits.concerns(change)) {
+            tell(habits::look);
+          }
         });
+    if (habits.areAny()) {
+      habits.begin();
+      reviewHabits();
+    }
+  }
+
+  @Override
+  protected void takeDown() {
+    review.cancel();
+    super.takeDown();
+  }
+
+  /** What is a habit in the evening is none in the morning. */
+  private void reviewHabits() {
+    review =
+        clock()
+            .schedule(
+                Habits.BETWEEN_REVIEWS,
+                getLocalName(),
+                () ->
+                    tell(
+                        () -> {
+                          habits.tell();
+                          reviewHabits();
+                        }));
   }
 
   @Override

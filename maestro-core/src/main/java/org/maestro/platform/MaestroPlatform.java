@@ -30,6 +30,8 @@ import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.habits.HabitFile;
+import org.maestro.knowledge.habits.HabitLog;
 import org.maestro.ontology.home.Group;
 import org.maestro.platform.jade.MainContainer;
 import org.maestro.platform.jade.PlatformStartException;
@@ -134,6 +136,10 @@ public final class MaestroPlatform implements AutoCloseable {
     return platform;
   }
 
+  private HabitLog habitLog() {
+    return settings.dataDirectory().<HabitLog>map(HabitFile::new).orElse(HabitLog.NONE);
+  }
+
   private void boot() {
     KnowledgeBase knowledge = services.knowledge();
     lives.listen(desk);
@@ -141,7 +147,9 @@ public final class MaestroPlatform implements AutoCloseable {
     agents.listen();
     main.watch(time.clock()::instant, lives);
     memory.stories().ifPresent(stories::addListener);
-    main.start(AgentNames.KNOWLEDGE, new KnowledgeAgent(time, knowledge, services.describedBy()));
+    main.start(
+        AgentNames.KNOWLEDGE,
+        new KnowledgeAgent(time, knowledge, services.describedBy(), habitLog()));
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.facts.FactFilter;
+import org.maestro.knowledge.Instances;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Occasion;
 import org.maestro.sl.SlPrinter;
@@ -89,7 +90,7 @@ final class UntilThen implements Vigil {
   @Override
   public void knowledgeChanged(FactFilter changed) {
     if (until.occasion() instanceof Occasion.Event event
-        && Instances.interest(event.condition(), entry.vocabulary()).isConcernedBy(changed)) {
+        && FactFilter.ofReading(event.condition(), entry.vocabulary()).isConcernedBy(changed)) {
       endIfSo();
     }
   }

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.facts.FactFilter;
+import org.maestro.knowledge.Instances;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -104,7 +105,7 @@ final class Whenever implements Vigil {
 
   @Override
   public void knowledgeChanged(FactFilter changed) {
-    if (isWatching && Instances.interest(condition, entry.vocabulary()).isConcernedBy(changed)) {
+    if (isWatching && FactFilter.ofReading(condition, entry.vocabulary()).isConcernedBy(changed)) {
       look();
     }
   }

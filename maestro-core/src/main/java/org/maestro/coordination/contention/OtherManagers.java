@@ -29,8 +29,9 @@ import org.maestro.rats.time.Clock;
 public final class OtherManagers {
   /**
    * So often what is wanted is said again, as an agent may have taken this manager for gone, or
-   * does not know yet that another is. Who has waited that long, while another that does not go
-   * first waits as well, is in a circle that no manager sees the whole of.
+   * does not know yet that another is. A goal that keeps something, and waits for what another
+   * manager has, then stands back for one of another manager that goes first and waits for it: they
+   * may be in a circle that no manager sees the whole of.
    */
   private static final Duration PATIENCE = Duration.ofSeconds(10);
 

@@ -47,6 +47,13 @@ public final class FactFilter {
     return copy;
   }
 
+  /** Facts of which a condition speaks. */
+  public static FactFilter ofReading(Formula condition, Vocabulary vocabulary) {
+    FactFilter interest = new FactFilter(vocabulary);
+    interest.addRead(condition);
+    return interest;
+  }
+
   /** What {@link #subjects} told. */
   public static FactFilter of(Map<String, Set<String>> subjects, Vocabulary vocabulary) {
     FactFilter interest = new FactFilter(vocabulary);

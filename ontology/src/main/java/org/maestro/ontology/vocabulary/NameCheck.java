@@ -268,6 +268,9 @@ public final class NameCheck {
     if (declared != null
         && (declared.derivedWhen().isPresent() || declared.computedBy().isPresent())) {
       problems.accept("sets " + name + ", which follows from other facts", "set those facts");
+    } else if (declared != null && declared.countedWhen().isPresent()) {
+      problems.accept(
+          "sets " + name + ", which is counted from what happens", "leave that to happen");
     }
   }
 

@@ -29,6 +29,7 @@ import org.maestro.sl.TypedVariable;
  * @param computedBy local name of a geometry function
  * @param least no value of the fluent is below it
  * @param takenFrom where its number comes from unless it is stated by itself
+ * @param countedWhen its number is how often this has become so, about this time of day
  */
 public record PredicateDeclaration(
     String name,
@@ -47,10 +48,51 @@ public record PredicateDeclaration(
     Optional<String> computedBy,
     Optional<String> unit,
     OptionalDouble least,
-    Optional<TakenFrom> takenFrom) {
+    Optional<TakenFrom> takenFrom,
+    Optional<Formula> countedWhen) {
   /** QUDT's names of units, as people write them. */
   private static final Map<String, String> UNIT_SYMBOLS =
       Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W", "MIN", "min");
+
+  /** One that counts nothing. */
+  public PredicateDeclaration(
+      String name,
+      String iri,
+      String label,
+      List<TypedVariable> parameters,
+      boolean fluent,
+      boolean observable,
+      boolean functional,
+      boolean symmetric,
+      Optional<Duration> validFor,
+      Map<String, Duration> validForByClass,
+      Optional<Formula> derivedWhen,
+      Optional<Formula> observedWhen,
+      Optional<Formula> likelyWhen,
+      Optional<String> computedBy,
+      Optional<String> unit,
+      OptionalDouble least,
+      Optional<TakenFrom> takenFrom) {
+    this(
+        name,
+        iri,
+        label,
+        parameters,
+        fluent,
+        observable,
+        functional,
+        symmetric,
+        validFor,
+        validForByClass,
+        derivedWhen,
+        observedWhen,
+        likelyWhen,
+        computedBy,
+        unit,
+        least,
+        takenFrom,
+        Optional.empty());
+  }
 
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);
@@ -96,6 +138,7 @@ public record PredicateDeclaration(
         computedBy,
         unit,
         least,
-        takenFrom);
+        takenFrom,
+        countedWhen.map(called::apply));
   }
 }

@@ -113,6 +113,14 @@ public final class VocabularyCheck {
     predicate
         .observedWhen()
         .ifPresent(f -> check(node, "observedWhen", variables, c -> c.check(f)));
+    predicate.countedWhen().ifPresent(f -> check(node, "countedWhen", variables, c -> c.check(f)));
+    if (predicate.countedWhen().isPresent() && !predicate.fluent()) {
+      fault(
+          node,
+          "countedWhen",
+          "is said of what is no number",
+          "declare the word as a maestro:Fluent");
+    }
     predicate.likelyWhen().ifPresent(f -> check(node, "likelyWhen", variables, c -> c.check(f)));
     predicate
         .computedBy()

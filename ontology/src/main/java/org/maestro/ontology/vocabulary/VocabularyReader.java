@@ -168,7 +168,8 @@ public final class VocabularyReader {
             : literals.text(node, "computedBy"),
         literals.text(node, "unit"),
         literals.number(node, "least"),
-        takenFrom(node));
+        takenFrom(node),
+        formula(node, "countedWhen", fluents));
   }
 
   private Optional<TakenFrom> takenFrom(Node node) {

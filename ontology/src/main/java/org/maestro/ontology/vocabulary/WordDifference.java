@@ -63,6 +63,7 @@ final class WordDifference {
     respects.put("symmetric", yes(declared.symmetric()));
     respects.put("validFor", declared.validFor().map(Duration::toString).orElse(NONE));
     respects.put("derivedWhen", text(declared.derivedWhen()));
+    respects.put("countedWhen", text(declared.countedWhen()));
     respects.put("observedWhen", text(declared.observedWhen()));
     respects.put("unit", declared.unit().orElse(NONE));
     respects.put(

@@ -243,6 +243,85 @@ class CrashTest {
     }
   }
 
+  @Test
+  void someEntriesOfAScriptInAPlan() throws IOException {
+    int entries = entriesOfScriptInPlan();
+    assertThat(entries).isGreaterThan(40);
+    inPlan(entries / 4, 30);
+    inPlan(entries / 2, 0);
+    inPlan(entries * 3 / 4, 0);
+  }
+
+  @Test
+  @Tag("full")
+  void everyEntryOfAScriptInAPlan() throws IOException {
+    int entries = entriesOfScriptInPlan();
+    for (long at : Share.of(LongStream.rangeClosed(1, entries)).toArray()) {
+      inPlan((int) at, 0);
+      inPlan((int) at, (int) (1 + at % 60));
+    }
+  }
+
+  private static Home homeWithComposite() throws IOException {
+    return new HomeLoader()
+        .load(
+            text("/homes/bob.ttl")
+                + """
+
+                home:ready a maestro:Predicate ; rdfs:label "ready" ; maestro:arguments ( "?room - Zone" ) .
+                home:prepare a maestro:Script ; rdfs:label "have a room ready" ;
+                  maestro:arguments ( "?room - Zone" ) ; maestro:effect "(ready ?room)" ; maestro:cost 10 ;
+                  maestro:body "(seq (achieve (>= (illuminance ?room) 72)) (achieve (in rose zone-a)) (assert (ready ?room)))" .
+                """,
+            "bob.ttl");
+  }
+
+  private static void prepared(MortalSite site) {
+    site.clock.runUntil(() -> site.isDead() || site.allPresent(), Duration.ofMinutes(1));
+    site.submit("(and (ready zone-b) (nextTo Cup Bob))");
+    site.clock.runUntil(
+        () -> site.isDead() || site.accepted.size() == 1 && site.allEnded(),
+        Duration.ofMinutes(20));
+  }
+
+  private int entriesOfScriptInPlan() throws IOException {
+    try (MortalSite site =
+        new MortalSite(homeWithComposite(), scene, directory.resolve("composite"))) {
+      site.begin(Integer.MAX_VALUE);
+      prepared(site);
+      assertThat(site.story.toString()).contains("the script prepare is run for zone-b");
+      assertThat(site.outcomes.values())
+          .as(site.story.toString())
+          .allMatch(outcome -> outcome.reached());
+      return site.written();
+    }
+  }
+
+  /** Its goal is planned from what is so then; nothing that was under way is done beside it. */
+  private void inPlan(int at, int torn) throws IOException {
+    Path data = directory.resolve("composite-" + at + "-" + torn);
+    try (MortalSite site = new MortalSite(homeWithComposite(), scene, data)) {
+      site.begin(at);
+      prepared(site);
+      if (torn > 0) {
+        site.tear(torn);
+      }
+      site.clock.run(Duration.ofMillis(100L * (at % 50)));
+      site.begin(Integer.MAX_VALUE);
+      site.clock.runUntil(() -> site.allPresent() && site.allEnded(), Duration.ofMinutes(20));
+      String context =
+          "died at %d, torn by %d%n%s%n%s"
+              .formatted(
+                  at,
+                  torn,
+                  Files.readString(data.resolve("journal.jsonl")),
+                  site.story.stream().map(String::valueOf).collect(Collectors.joining("\n")));
+      assertThat(site.allEnded()).as(context).isTrue();
+      assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
+      assertThat(site.witness.executedTwice()).as(context).isEmpty();
+    }
+  }
+
   /** The time for which nobody is there counts. */
   @Test
   void aWaitIsOverWhenItWouldHaveBeen() throws IOException {

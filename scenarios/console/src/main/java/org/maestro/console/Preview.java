@@ -2,20 +2,18 @@ package org.maestro.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Collection;
-import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import org.maestro.console.documents.PreviewDocument;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.coordination.api.DescribedFeatures;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Home;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.PlanningTask;
-import org.maestro.planning.api.PricedFeature;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
@@ -56,17 +54,13 @@ final class Preview implements AutoCloseable {
     Home home = knowledge.home();
     Formula goal = SlParser.formula(text, home.vocabulary()::isFluent);
     new GoalCheck(home).check(goal);
-    Collection<String> there = present.get();
-    List<PricedFeature> features =
-        home.devices().values().stream()
-            .filter(device -> there.contains(device.id()))
-            .flatMap(
-                device ->
-                    device.features().stream()
-                        .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of())))
-            .toList();
     Formula wanted = goal instanceof Formula.Keep keep ? keep.body() : goal;
-    return new PlanningTask(home.vocabulary(), knowledge.snapshot(), features, wanted, Set.of());
+    return new PlanningTask(
+        home.vocabulary(),
+        knowledge.snapshot(),
+        DescribedFeatures.of(home, present.get()::contains),
+        wanted,
+        Set.of());
   }
 
   @Override

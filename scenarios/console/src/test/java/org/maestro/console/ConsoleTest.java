@@ -105,6 +105,8 @@ class ConsoleTest {
     assertValid(never.document(), "preview");
     assertThat(never.document().path("verdict").asText()).isEqualTo("none");
     assertThat(home.post("/previews", "{\"goal\": \"(flies Bob)\"}").problem()).contains("flies");
+    assertThat(home.post("/previews", "{\"goal\": \"(after 5 (in rose zone-a))\"}").problem())
+        .contains("has no plan before it begins");
     assertThat(home.get("/goals").document().path("goals")).as("nothing is begun").hasSize(goals);
   }
 

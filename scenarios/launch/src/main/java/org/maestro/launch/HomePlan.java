@@ -5,11 +5,11 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.maestro.coordination.api.DescribedFeatures;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Sentences;
@@ -137,13 +137,7 @@ final class HomePlan {
   }
 
   private static PlanningTask task(Home home, Formula goal) {
-    List<PricedFeature> features =
-        home.devices().values().stream()
-            .flatMap(
-                device ->
-                    device.features().stream()
-                        .map(type -> new PricedFeature(device.id(), type, type.cost(), Map.of())))
-            .toList();
+    List<PricedFeature> features = DescribedFeatures.of(home, device -> true);
     try (CollectiveKnowledge knowledge = new CollectiveKnowledge(home, new SteppedClock())) {
       return new PlanningTask(home.vocabulary(), knowledge.snapshot(), features, goal, Set.of());
     }

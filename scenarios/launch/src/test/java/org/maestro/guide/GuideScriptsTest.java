@@ -85,6 +85,12 @@ class GuideScriptsTest {
   }
 
   @Test
+  void theHabitIsThatOfTheShippedHome() throws IOException {
+    assertThat(Files.readString(ASSEMBLED.resolve("homes/livingroom.ttl")))
+        .contains(block("habit").strip());
+  }
+
+  @Test
   void theTestOfTheHousekeeperIsTheOneThatIsRun() throws IOException {
     assertThat(Files.readString(Path.of("src/test/java/org/maestro/scenario/HousekeeperTest.java")))
         .contains(block("java"));

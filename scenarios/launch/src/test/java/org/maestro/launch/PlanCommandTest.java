@@ -197,7 +197,9 @@ class PlanCommandTest {
         "bob | (nextTo Cup Bobb) | Nobody knows a thing named Bobb",
         "bob | (nexTo Cup Bob) | nexTo",
         "bob | (nextTo Cup | was expected",
-        "nowhere.ttl | (nextTo Cup Bob) | There is no home file nowhere.ttl"
+        "nowhere.ttl | (nextTo Cup Bob) | There is no home file nowhere.ttl",
+        "livingroom | (activateTV bedroom) | activateTV is a script, whose plans are made as it goes on",
+        "bob | (after 5 (nextTo Cup Bob)) | has no plan before it begins"
       })
   void refusesGoalsThatMeanNothing(String home, String goal, String sentence) {
     Said said = maestro("plan", home, goal);

@@ -15,6 +15,7 @@ import org.maestro.junit.Stage;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.api.Answer;
+import org.maestro.knowledge.api.Source;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
@@ -136,6 +137,37 @@ class LivingRoomTest {
                     .containsExactly("G1.1");
               });
       assertThat(stage.goal("(prepareRoom livingroom Dave)")).tells("television is tuned to News");
+    }
+  }
+
+  /** Habits are counted from what happens (ADE, 4.1; A57). */
+  @Nested
+  @MaestroTest(home = "livingroom", scene = "livingroom-evening")
+  class Habits {
+
+    @Test
+    void whatSomebodyWatchesIsCountedAndAskedFor(Stage stage) {
+      stage
+          .knowledge()
+          .state(new Source(Source.Kind.OBSERVED, "user"), List.of("(in Dave livingroom)"));
+      assertThat(stage.goal("(selectTVshow livingroom News)")).isReached();
+      stage.run(Duration.ofSeconds(5));
+
+      assertThat(
+              new Question(stage.knowledge().snapshot())
+                  .answerRef(
+                      new QuestionReader(stage.knowledge().home())
+                          .question(SlParser.formula("(= (watched Dave News) ?times)"))))
+          .singleElement()
+          .satisfies(
+              answer -> {
+                assertThat(answer.binding()).containsEntry("times", new Term.Number(1));
+                assertThat(answer.age().orElseThrow()).isGreaterThan(Duration.ofSeconds(4));
+                assertThat(answer.because())
+                    .extracting(belief -> belief.source().agent())
+                    .containsExactly("habits");
+              });
+      assertThat(stage.goal("(usualShow Dave)")).isReached().tells("?most is News");
     }
   }
 

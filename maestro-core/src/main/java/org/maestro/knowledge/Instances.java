@@ -1,4 +1,4 @@
-package org.maestro.coordination.agenda;
+package org.maestro.knowledge;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -7,9 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.maestro.coordination.facts.FactFilter;
 import org.maestro.knowledge.api.Snapshot;
-import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Candidates;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
@@ -19,26 +17,19 @@ import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
 /** For which individuals a condition is known to hold. Immutable; any thread may ask. */
-final class Instances {
+public final class Instances {
   private final Formula condition;
   private final Snapshot now;
   private final Candidates candidates;
 
-  Instances(Formula condition, Snapshot now) {
+  public Instances(Formula condition, Snapshot now) {
     this.condition = condition;
     this.now = now;
     this.candidates = new Candidates(now::candidates);
   }
 
-  /** Of what it is to be heard. */
-  static FactFilter interest(Formula condition, Vocabulary vocabulary) {
-    FactFilter interest = new FactFilter(vocabulary);
-    interest.addRead(condition);
-    return interest;
-  }
-
   /** The condition as it holds, without variables, and what it has in their places. */
-  Map<Formula, Substitution> all() {
+  public Map<Formula, Substitution> all() {
     List<Map<String, Term>> bindings = List.of(Map.of());
     for (String variable : FreeVariables.of(condition)) {
       List<Map<String, Term>> extended = new ArrayList<>();
@@ -69,7 +60,7 @@ final class Instances {
   }
 
   /** Of one that has no variables. */
-  Truth truth(Formula instance) {
+  public Truth truth(Formula instance) {
     return new Evaluation(now).truth(instance, Map.of());
   }
 }
