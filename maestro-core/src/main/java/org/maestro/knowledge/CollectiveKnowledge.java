@@ -28,6 +28,7 @@ import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.api.StateVariable;
 import org.maestro.knowledge.api.Store;
 import org.maestro.knowledge.belief.Ageing;
+import org.maestro.knowledge.belief.Beginning;
 import org.maestro.knowledge.belief.Cell;
 import org.maestro.knowledge.belief.Cells;
 import org.maestro.knowledge.belief.Confidence;
@@ -73,13 +74,13 @@ public final class CollectiveKnowledge implements KnowledgeBase {
 
   private static final long STATEMENT_BYTES = 512;
   private static final String HISTORY = "Statements of the history";
-  private static final Source HOME = new Source(Source.Kind.DESCRIBED, "home");
+  private static final Source HOME = new Source(Source.Kind.DESCRIBED, Source.HOME);
 
   private final Clock clock;
   private final DescribedDevices devices;
   private final GraphStorage storage;
   private final KnowledgeSettings settings;
-  private final Instant opened;
+  private final Beginning beginning;
   private final Lock writing = new ReentrantLock();
   private final List<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
   private final History history;
@@ -119,7 +120,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     this.devices = new DescribedDevices(measures, storage);
     this.storage = storage;
     this.settings = settings;
-    this.opened = clock.instant();
+    this.beginning = new Beginning(clock.instant(), home);
     this.ageing = new Ageing(clock, this::age);
     this.world = World.of(home, measures.apply(home));
     Graphs graphs = new Graphs(home);
@@ -444,7 +445,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   }
 
   private Snapshot view(World seen) {
-    return new View(seen, clock.instant(), opened);
+    return new View(seen, clock.instant(), beginning);
   }
 
   private <T> T guarded(Supplier<T> work) {

@@ -15,8 +15,8 @@ import org.maestro.sl.Truth;
  * The answer to a question, and on whose word it rests.
  *
  * @param binding of the question's free variables
- * @param because the beliefs that the answer was drawn from, the oldest first; without what stands
- *     in the home, which has no age
+ * @param because the beliefs that the answer was drawn from, the oldest first; last what stands in
+ *     the home, which may have been so for ever
  * @param at when it was so
  */
 public record Answer(Truth truth, Map<String, Term> binding, List<Belief> because, Instant at) {
@@ -25,11 +25,21 @@ public record Answer(Truth truth, Map<String, Term> binding, List<Belief> becaus
     because =
         because.stream()
             .distinct()
-            .sorted(Comparator.comparing(Belief::since).thenComparing(Belief::fact))
+            .sorted(
+                Comparator.comparing(Answer::standsInHome)
+                    .thenComparing(Belief::since)
+                    .thenComparing(Belief::fact))
             .toList();
   }
 
-  /** As old as the oldest belief that it was drawn from; empty when there is none. */
+  private static boolean standsInHome(Belief belief) {
+    return belief.source().kind() == Source.Kind.DESCRIBED;
+  }
+
+  /**
+   * As old as the oldest belief that it was drawn from, or as the platform where all that stands in
+   * the home; empty when there is none.
+   */
   public Optional<Duration> age() {
     return because.stream().findFirst().map(belief -> belief.age(at));
   }

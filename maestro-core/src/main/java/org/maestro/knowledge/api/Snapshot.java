@@ -50,7 +50,9 @@ public interface Snapshot extends Facts {
    */
   Snapshot notOlderThan(Duration age);
 
-  /** The same moment; tells the witness each belief from which it answers. */
+  /**
+   * The same moment; tells the witness each belief from which it answers, also what the home says.
+   */
   Snapshot witnessed(Consumer<Belief> witness);
 
   /**

@@ -17,7 +17,6 @@ import java.util.stream.Stream;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Dispute;
 import org.maestro.knowledge.api.Snapshot;
-import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.api.StateVariable;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Evaluation;
@@ -35,28 +34,28 @@ public final class View implements Snapshot {
 
   private final World world;
   private final Instant now;
-  private final Instant described;
+  private final Beginning beginning;
   private final Instant oldest;
   private final Optional<Consumer<Belief>> witness;
   private final Optional<Consumer<Object>> told;
 
   /**
-   * @param described since when what stands in the home counts
+   * @param beginning since when what stands in the home counts
    */
-  public View(World world, Instant now, Instant described) {
-    this(world, now, described, Instant.MIN, Optional.empty(), Optional.empty());
+  public View(World world, Instant now, Beginning beginning) {
+    this(world, now, beginning, Instant.MIN, Optional.empty(), Optional.empty());
   }
 
   private View(
       World world,
       Instant now,
-      Instant described,
+      Beginning beginning,
       Instant oldest,
       Optional<Consumer<Belief>> witness,
       Optional<Consumer<Object>> told) {
     this.world = world;
     this.now = now;
-    this.described = described;
+    this.beginning = beginning;
     this.oldest = oldest;
     this.witness = witness;
     this.told = told;
@@ -70,17 +69,17 @@ public final class View implements Snapshot {
   @Override
   public Snapshot notOlderThan(Duration age) {
     Instant limit = now.minus(age);
-    return new View(world, now, described, limit.isAfter(oldest) ? limit : oldest, witness, told);
+    return new View(world, now, beginning, limit.isAfter(oldest) ? limit : oldest, witness, told);
   }
 
   @Override
   public Snapshot witnessed(Consumer<Belief> seen) {
-    return new View(world, now, described, oldest, Optional.of(seen), told);
+    return new View(world, now, beginning, oldest, Optional.of(seen), told);
   }
 
   @Override
   public Optional<Facts> tracing(Consumer<Object> reader) {
-    return Optional.of(new View(world, now, described, oldest, witness, Optional.of(reader)));
+    return Optional.of(new View(world, now, beginning, oldest, witness, Optional.of(reader)));
   }
 
   @Override
@@ -126,6 +125,7 @@ public final class View implements Snapshot {
       return world.measures().truth(function, asked.arguments(), this);
     }
     if (world.described().holds(atom)) {
+      bearWitness(asked);
       return Truth.TRUE;
     }
     if (isDescribedOtherwise(atom)) {
@@ -172,6 +172,7 @@ public final class View implements Snapshot {
     }
     OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
     if (stated.isPresent()) {
+      bearWitness(variable, stated.getAsDouble());
       return stated;
     }
     String function =
@@ -221,7 +222,7 @@ public final class View implements Snapshot {
     Optional<Cell> cell = world.cell(variable);
     if (cell.isEmpty()) {
       return world.described().holds(atom)
-          ? Optional.of(describedBelief(Wording.holds(asked, true)))
+          ? Optional.of(beginning.belief(Wording.holds(asked, true)))
           : Optional.empty();
     }
     Settled settled = settled(cell.get());
@@ -251,7 +252,7 @@ public final class View implements Snapshot {
     OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
     return stated.isPresent()
         ? Optional.of(
-            describedBelief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
+            beginning.belief(Wording.equation(variable, new Term.Number(stated.getAsDouble()))))
         : Optional.empty();
   }
 
@@ -379,16 +380,35 @@ public final class View implements Snapshot {
     }
   }
 
+  /** Of what stands in the home; what is symmetric may stand there with either thing. */
+  private void bearWitness(Formula.Atom stated) {
+    witness.ifPresent(
+        seen ->
+            stated.arguments().stream()
+                .filter(subject -> !world.described().values(subject, stated.predicate()).isEmpty())
+                .findFirst()
+                .flatMap(
+                    subject -> beginning.belief(Wording.holds(stated, true), subject, world.home()))
+                .ifPresent(seen));
+  }
+
+  private void bearWitness(StateVariable stated, double value) {
+    witness.ifPresent(
+        seen ->
+            beginning
+                .belief(
+                    Wording.equation(stated, new Term.Number(value)),
+                    stated.arguments().get(0),
+                    world.home())
+                .ifPresent(seen));
+  }
+
   private Settled settled(Cell cell) {
     return cell.settled(this::counts);
   }
 
   private boolean counts(Held held) {
     return held.isFresh(now) && !held.since().isBefore(oldest);
-  }
-
-  private Belief describedBelief(String fact) {
-    return new Belief(fact, new Source(Source.Kind.DESCRIBED, "home"), described);
   }
 
   /** With the share of the place that its source covered: what it said, or what it has in view. */

@@ -16,6 +16,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
  * @param timeZone of the clocks on its walls; empty: that of the machine on which one asks
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
+ * @param file its file's name, such as {@code bob.ttl}; empty: it was not read from one
  */
 public record Home(
     String iri,
@@ -26,7 +27,8 @@ public record Home(
     Map<String, Group> groups,
     Map<String, Script> scripts,
     Optional<ZoneId> timeZone,
-    String words) {
+    String words,
+    Optional<String> file) {
   public Home {
     individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
@@ -36,18 +38,29 @@ public record Home(
 
   /** The same home with these scripts. */
   public Home withScripts(Map<String, Script> others) {
-    return new Home(iri, label, vocabulary, individuals, devices, groups, others, timeZone, words);
+    return new Home(
+        iri, label, vocabulary, individuals, devices, groups, others, timeZone, words, file);
   }
 
   /** The same home with these devices; the others are things of it only. */
   public Home withDevices(Map<String, Device> others) {
-    return new Home(iri, label, vocabulary, individuals, others, groups, scripts, timeZone, words);
+    return new Home(
+        iri, label, vocabulary, individuals, others, groups, scripts, timeZone, words, file);
   }
 
   /** The same home, whose clocks show the time of that zone. */
   public Home in(ZoneId zone) {
     return new Home(
-        iri, label, vocabulary, individuals, devices, groups, scripts, Optional.of(zone), words);
+        iri,
+        label,
+        vocabulary,
+        individuals,
+        devices,
+        groups,
+        scripts,
+        Optional.of(zone),
+        words,
+        file);
   }
 
   /** A home without scripts and words of its own. */
@@ -58,7 +71,17 @@ public record Home(
       Map<String, Individual> individuals,
       Map<String, Device> devices,
       Map<String, Group> groups) {
-    this(iri, label, vocabulary, individuals, devices, groups, Map.of(), Optional.empty(), "");
+    this(
+        iri,
+        label,
+        vocabulary,
+        individuals,
+        devices,
+        groups,
+        Map.of(),
+        Optional.empty(),
+        "",
+        Optional.empty());
   }
 
   /** A home without group agents and words of its own. */
@@ -111,7 +134,8 @@ public record Home(
         groups,
         scripts,
         timeZone,
-        words);
+        words,
+        file);
   }
 
   /**

@@ -65,7 +65,8 @@ final class HomeReader {
             groups(individuals, nodes, words, scripts.keySet()),
             readScripts(scripts),
             timeZone(homeNode),
-            ownWords());
+            ownWords(),
+            Optional.of(source.substring(source.lastIndexOf('/') + 1)));
     check(home, nodes, scripts);
     return home;
   }

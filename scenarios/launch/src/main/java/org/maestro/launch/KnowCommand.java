@@ -94,6 +94,7 @@ final class KnowCommand implements Callable<Integer> {
   }
 
   private static List<String> row(JsonNode answer) {
+    String origin = AnswersDocument.origin(answer);
     StringJoiner binding = new StringJoiner(", ");
     answer
         .path("binding")
@@ -106,6 +107,6 @@ final class KnowCommand implements Callable<Integer> {
         answer.path("age_s").isNumber()
             ? String.format(Locale.ROOT, "%.1f s", answer.path("age_s").asDouble())
             : "-",
-        JsonRows.text(answer, "source"));
+        origin.isEmpty() ? "-" : origin);
   }
 }

@@ -1,6 +1,7 @@
 package org.maestro.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.maestro.junit.MaestroAssertions.assertThat;
 
 import java.time.Duration;
@@ -15,6 +16,7 @@ import org.maestro.junit.Stage;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.api.Answer;
+import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Source;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
@@ -119,6 +121,50 @@ class LivingRoomTest {
       assertThat(answers(stage, "(and (looksLike ?who glasses) (soundsLike ?who deep-voice))"))
           .extracting(Answer::binding)
           .containsExactly(Map.of("who", new Term.Name("Dave")));
+    }
+
+    @Test
+    void whatStandsInTheHomeIsToldWithItsFileAndSinceThePlatformBegan(Stage stage) {
+      stage.run(Duration.ofSeconds(5));
+
+      assertThat(answers(stage, "(prefers dave-evenings ?show)"))
+          .singleElement()
+          .satisfies(
+              answer -> {
+                assertThat(answer.because())
+                    .extracting(Belief::fact, Belief::source)
+                    .containsExactly(
+                        tuple(
+                            "(prefers dave-evenings Opera)",
+                            new Source(Source.Kind.DESCRIBED, "livingroom.ttl")));
+                assertThat(answer.age().orElseThrow())
+                    .isGreaterThanOrEqualTo(Duration.ofSeconds(5));
+              });
+      assertThat(answers(stage, "(= (fromMinute dave-evenings) ?minute)"))
+          .singleElement()
+          .satisfies(
+              answer ->
+                  assertThat(answer.because())
+                      .extracting(belief -> belief.source().agent())
+                      .containsExactly("livingroom.ttl"));
+    }
+
+    /** Of an answer that rests on both, who has said something since is told first. */
+    @Test
+    void whoSpokeSinceIsToldBeforeTheHome(Stage stage) {
+      assertThat(stage.goal("(learnPrefs dave-evenings News)")).isReached();
+      stage.run(Duration.ofSeconds(5));
+
+      assertThat(
+              answers(stage, "(and (preferenceOf dave-evenings Dave) (prefers dave-evenings ?s))"))
+          .singleElement()
+          .satisfies(
+              answer -> {
+                assertThat(answer.because())
+                    .extracting(belief -> belief.source().agent())
+                    .containsExactly("G1.1", "livingroom.ttl");
+                assertThat(answer.age().orElseThrow()).isLessThan(Duration.ofSeconds(60));
+              });
     }
 
     @Test

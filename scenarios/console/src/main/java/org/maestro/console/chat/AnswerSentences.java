@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.maestro.console.documents.AnswersDocument;
 
 /** What is known of a question, in sentences. */
 final class AnswerSentences {
@@ -39,14 +40,14 @@ final class AnswerSentences {
         .properties()
         .forEach(one -> bound.add(one.getKey() + " is " + inWords(one.getValue())));
     String what = bound.isEmpty() ? "" : ": " + String.join(", ", bound);
-    String source = answer.path("source").asText("");
+    String source = AnswersDocument.origin(answer);
     String since =
-        answer.path("age_s").isNumber()
+        answer.path("age_s").isNumber() && !AnswersDocument.standsInHome(answer)
             ? String.format(Locale.ROOT, ", %.0f s ago", answer.path("age_s").asDouble())
             : "";
     return (truth.equals("true") ? "Yes" : "No")
         + what
-        + (source.isEmpty() || source.equals("null") ? "" : ", by " + source + since)
+        + (source.isEmpty() ? "" : ", by " + source + since)
         + ".";
   }
 

@@ -38,6 +38,21 @@ public final class AnswersDocument {
     return document.node();
   }
 
+  /**
+   * On whose word one of its answers rests, in words; "" when on nobody's.
+   *
+   * @param answer of such a document
+   */
+  public static String origin(JsonNode answer) {
+    String source = answer.path("source").isTextual() ? answer.path("source").asText() : "";
+    return standsInHome(answer) ? source + ", since the platform began" : source;
+  }
+
+  /** Whether an answer rests on nothing but what stands in the home. */
+  public static boolean standsInHome(JsonNode answer) {
+    return answer.path("because").path(0).path("kind").asText().equals("described");
+  }
+
   private static void add(ArrayNode beliefs, Words belief) {
     JsonMembers.in(beliefs)
         .text("fact", belief.string("fact"))
