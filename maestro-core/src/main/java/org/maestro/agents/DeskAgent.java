@@ -13,6 +13,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
+import org.maestro.agents.content.BeliefWords;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Replies;
@@ -317,7 +318,20 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
    * @param failure told instead, one sentence
    */
   public void know(Formula question, Consumer<List<Content>> answers, Consumer<String> failure) {
-    tell(() -> knowledge.read(question, known -> told(known, answers, failure)));
+    know(question, Optional.empty(), answers, failure);
+  }
+
+  /**
+   * The same for a person: what is private is told her only where she may read it.
+   *
+   * @param person who has signed in at this desk; empty: nobody in particular
+   */
+  public void know(
+      Formula question,
+      Optional<String> person,
+      Consumer<List<Content>> answers,
+      Consumer<String> failure) {
+    tell(() -> knowledge.read(question, person, known -> told(known, answers, failure)));
   }
 
   /** The same, and again whenever the answer changes. */
@@ -330,7 +344,8 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
     if (known.isFailure()) {
       failure.accept(known.failure());
     } else {
-      answers.accept(known.answers());
+      answers.accept(
+          known.answers().stream().map(one -> BeliefWords.later(one, known.since())).toList());
     }
   }
 

@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.maestro.agents.calls.Pointers;
 import org.maestro.agents.content.AccountWords;
@@ -17,6 +19,7 @@ import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.Rights;
 import org.maestro.agents.knowledge.KnowledgeSubscriptions;
+import org.maestro.agents.knowledge.Readers;
 import org.maestro.agents.knowledge.ToldFacts;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Caller;
@@ -25,6 +28,7 @@ import org.maestro.knowledge.Question;
 import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.Dispute;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
@@ -38,6 +42,7 @@ import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.ontology.home.WordList;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
@@ -67,7 +72,10 @@ import org.maestro.sl.Term;
  *                                              until CANCEL in the same conversation
  * </pre>
  *
- * A question that uses words as neither home nor vocabulary do is refused, as a goal is.
+ * A question that uses words as neither home nor vocabulary do is refused, as a goal is; so is one
+ * in private words from who may not read them. Lists leave their facts out, and say last how many:
+ * {@code (inform (:left-out 2) (:reason "..."))}. The desk asks for a person by {@code (:for
+ * "alice")}.
  */
 public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
@@ -81,6 +89,8 @@ public final class KnowledgeAgent extends MaestroAgent {
       new KnowledgeSubscriptions(this::inform);
 
   private final transient Habits habits;
+  private final transient Readers readers;
+
   private transient Optional<AccessRead> accessRead = Optional.empty();
   private transient Clock.Timer review = () -> {};
 
@@ -102,6 +112,7 @@ public final class KnowledgeAgent extends MaestroAgent {
     this.knowledge = knowledge;
     this.describedBy = describedBy;
     this.habits = new Habits(knowledge, time.clock(), habitLog);
+    this.readers = new Readers(knowledge::home);
   }
 
   @Override
@@ -260,8 +271,12 @@ public final class KnowledgeAgent extends MaestroAgent {
     return feature.binds().stream().map(Parameter::name).allMatch(bindings::containsKey);
   }
 
+  private ReadingRights rights(ACLMessage message, Words words) {
+    return readers.of(Caller.of(message).askingFor(words.string("for")));
+  }
+
   private void queryIf(ACLMessage message, Words words) {
-    Optional<Formula> formula = question(words);
+    Optional<Formula> formula = question(message, words);
     if (formula.isEmpty()) {
       refuse(
           message,
@@ -269,16 +284,19 @@ public final class KnowledgeAgent extends MaestroAgent {
           "A question needs a formula, such as (query-if (in Cup zone-b)).");
       return;
     }
-    inform(message, List.of(new Question(read(words)).answerIf(formula.get())));
+    inform(
+        message,
+        List.of(new Question(read(words), rights(message, words)).answerIf(formula.get())));
   }
 
   private void queryRef(ACLMessage message, Words words) {
     Snapshot snapshot = read(words);
-    Optional<String> history = words.string("history").map(reader()::fact);
-    Optional<String> last = words.string("last").map(reader()::fact);
-    Optional<Formula> question = question(words);
+    ReadingRights rights = rights(message, words);
+    Optional<String> history = words.string("history").map(fact -> fact(fact, rights));
+    Optional<String> last = words.string("last").map(fact -> fact(fact, rights));
+    Optional<Formula> question = question(message, words);
     if (words.find("call").isPresent()) {
-      call(message, words.find("call").get());
+      call(message, words.find("call").get(), rights);
     } else if (history.isPresent()) {
       Instant limit = within(words).map(snapshot.at()::minus).orElse(Instant.MIN);
       beliefs(
@@ -289,17 +307,23 @@ public final class KnowledgeAgent extends MaestroAgent {
     } else if (last.isPresent()) {
       beliefs(message, knowledge.lastKnown(last.get()).stream(), snapshot.at());
     } else if (words.named("disputes").isPresent()) {
-      answer(
+      list(
           message,
-          snapshot.disputes().stream().map(dispute -> BeliefWords.content(dispute, snapshot.at())));
+          snapshot.disputes(),
+          dispute -> isTold(dispute, rights),
+          dispute -> BeliefWords.content(dispute, snapshot.at()));
     } else if (words.named("words").isPresent()) {
       answer(message, WordList.of(knowledge.home()).stream().map(KnowledgeAgent::word));
     } else if (words.find("description").isPresent()) {
       checkDescription(message, words);
     } else if (question.isPresent()) {
-      inform(message, new Question(snapshot).answerRef(question.get()));
-    } else if (words.hasNothingBut("within")) {
-      beliefs(message, snapshot.beliefs().stream(), snapshot.at());
+      inform(message, new Question(snapshot, rights).answerRef(question.get()));
+    } else if (words.hasNothingBut("within", "for")) {
+      list(
+          message,
+          snapshot.beliefs(),
+          belief -> rights.mayReadFact(belief.fact()),
+          belief -> BeliefWords.content(belief, snapshot.at()));
     } else {
       throw new KnowledgeException(
           "A question needs a formula, such as (query-ref (in Cup ?where)), or one of :history,"
@@ -332,20 +356,46 @@ public final class KnowledgeAgent extends MaestroAgent {
     return new QuestionReader(knowledge.home());
   }
 
-  private Optional<Formula> question(Words words) {
-    return words.formula().map(reader()::question);
+  private Optional<Formula> question(ACLMessage message, Words words) {
+    Optional<Formula> question = words.formula().map(reader()::question);
+    requireNone(question.flatMap(rights(message, words)::objection));
+    return question;
   }
 
-  private void call(ACLMessage message, Words call) {
+  private String fact(String asked, ReadingRights rights) {
+    String fact = reader().fact(asked);
+    requireNone(rights.objectionToFact(fact));
+    return fact;
+  }
+
+  private static void requireNone(Optional<String> objection) {
+    objection.ifPresent(
+        sentence -> {
+          throw new KnowledgeException(sentence);
+        });
+  }
+
+  private static boolean isTold(Dispute dispute, ReadingRights rights) {
+    return Stream.concat(
+            dispute.believed().stream(), dispute.losers().stream().map(Dispute.Loser::belief))
+        .allMatch(belief -> rights.mayReadFact(belief.fact()));
+  }
+
+  /** The agent of a member is told what the member needs. */
+  private void call(ACLMessage message, Words call, ReadingRights rights) {
+    boolean isItsOwn = call.string("member").filter(Caller.of(message).agent()::equals).isPresent();
     try {
-      reply(message, ACLMessage.INFORM, Pointers.answer(knowledge, call));
+      reply(
+          message,
+          ACLMessage.INFORM,
+          Pointers.answer(knowledge, call, isItsOwn ? ReadingRights.ALL : rights));
     } catch (Pointers.UnknownThing e) {
       refuse(message, e);
     }
   }
 
   private void subscribe(ACLMessage message, Words words) {
-    Optional<Formula> formula = question(words);
+    Optional<Formula> formula = question(message, words);
     if (formula.isEmpty()) {
       refuse(
           message,
@@ -354,7 +404,8 @@ public final class KnowledgeAgent extends MaestroAgent {
       return;
     }
     reply(message, ACLMessage.AGREE, Words.content("subscribe", Words.formula(formula.get())));
-    subscriptions.add(message, formula.get(), within(words), knowledge.snapshot());
+    subscriptions.add(
+        message, formula.get(), within(words), rights(message, words), knowledge.snapshot());
   }
 
   private void cancel(ACLMessage message) {
@@ -395,6 +446,24 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   private void beliefs(ACLMessage message, Stream<Belief> beliefs, Instant now) {
     answer(message, beliefs.map(belief -> BeliefWords.content(belief, now)));
+  }
+
+  /** A list, without what is kept from who asks; how much that is, is told. */
+  private <T> void list(
+      ACLMessage message, List<T> all, Predicate<T> isTold, Function<T, Content> words) {
+    List<T> told = all.stream().filter(isTold).toList();
+    int leftOut = all.size() - told.size();
+    answer(
+        message,
+        Stream.concat(
+            told.stream().map(words),
+            leftOut == 0
+                ? Stream.empty()
+                : Stream.of(
+                    Words.content(
+                        "inform",
+                        Words.named("left-out", Words.number(leftOut)),
+                        Words.named("reason", Words.text(ReadingRights.leftOut(leftOut)))))));
   }
 
   /** No message is empty: that there is nothing to tell is an answer too. */

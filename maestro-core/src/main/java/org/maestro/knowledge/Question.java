@@ -12,6 +12,7 @@ import java.util.function.Predicate;
 import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Fact;
@@ -31,9 +32,19 @@ public final class Question {
   private static final Term NO_NUMBER = new Term.Number(Double.NaN);
 
   private final Snapshot snapshot;
+  private final ReadingRights rights;
 
   public Question(Snapshot snapshot) {
+    this(snapshot, ReadingRights.ALL);
+  }
+
+  /**
+   * @param rights of whom it is answered: what only private facts name is nothing that she is told
+   *     of; that the question itself is not in private words is for who calls to see to
+   */
+  public Question(Snapshot snapshot, ReadingRights rights) {
     this.snapshot = snapshot;
+    this.rights = rights;
   }
 
   /**
@@ -89,7 +100,8 @@ public final class Question {
   private List<Map<String, Term>> candidates(Formula formula) {
     Set<Term> values = new LinkedHashSet<>(snapshot.individuals(""));
     for (Belief belief : snapshot.beliefs()) {
-      if (SlParser.fact(belief.fact()) instanceof Fact.Holds holds) {
+      if (rights.mayReadFact(belief.fact())
+          && SlParser.fact(belief.fact()) instanceof Fact.Holds holds) {
         values.addAll(holds.atom().arguments());
       }
     }

@@ -5,8 +5,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Orders;
@@ -19,6 +21,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.sl.Content;
@@ -109,9 +112,10 @@ public final class Pointers {
   /**
    * The knowledge agent's side: what is known of the things that a call names.
    *
+   * @param rights of who asks
    * @throws UnknownThing with one sentence
    */
-  public static Content answer(KnowledgeBase knowledge, Words call) {
+  public static Content answer(KnowledgeBase knowledge, Words call, ReadingRights rights) {
     Home home = knowledge.home();
     Snapshot now = knowledge.snapshot();
     String feature = call.string("feature").orElse("");
@@ -125,6 +129,16 @@ public final class Pointers {
     if (type.isEmpty()) {
       throw new UnknownThing("The feature " + Replies.shortened(feature) + " is not known here.");
     }
+    Set<String> needs =
+        parameters(type.get())
+            .flatMap(parameter -> parameter.needs().stream())
+            .collect(Collectors.toSet());
+    rights
+        .objection(needs)
+        .ifPresent(
+            sentence -> {
+              throw new UnknownThing(sentence);
+            });
     Map<String, Term> bindings = new TreeMap<>();
     named.forEach((name, argument) -> bindings.put(name, argument.value()));
     parameters(type.get())
@@ -147,7 +161,10 @@ public final class Pointers {
     }
   }
 
-  /** A call names what nobody here has heard of; the message is one sentence. */
+  /**
+   * A call names what nobody here has heard of, or needs what who asks may not read; the message is
+   * one sentence.
+   */
   public static final class UnknownThing extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

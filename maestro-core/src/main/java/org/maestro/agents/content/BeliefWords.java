@@ -10,6 +10,7 @@ import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Dispute;
 import org.maestro.sl.Content;
 import org.maestro.sl.Content.Argument;
+import org.maestro.sl.Term;
 
 /**
  * Beliefs as content of messages: what is believed, by whom, since when and how surely. Ages in
@@ -17,6 +18,8 @@ import org.maestro.sl.Content.Argument;
  */
 public final class BeliefWords {
   private static final double MILLIS_PER_SECOND = 1_000;
+  private static final String AGE = "age";
+  private static final String BINDING = "binding";
 
   private BeliefWords() {}
 
@@ -30,7 +33,7 @@ public final class BeliefWords {
         Words.named("source", Words.text(belief.source().agent())),
         Words.named("kind", Words.name(lower(belief.source().kind()))),
         Words.named("since", Words.text(belief.since().toString())),
-        Words.named("age", Words.number(seconds(belief.age(now)))),
+        Words.named(AGE, Words.number(seconds(belief.age(now)))),
         Words.named("confidence", Words.number(belief.confidence())));
   }
 
@@ -39,9 +42,9 @@ public final class BeliefWords {
     List<Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("truth", Words.name(lower(answer.truth()))));
     if (!answer.binding().isEmpty()) {
-      arguments.add(Words.terms("binding", answer.binding()));
+      arguments.add(Words.terms(BINDING, answer.binding()));
     }
-    answer.age().ifPresent(age -> arguments.add(Words.named("age", Words.number(seconds(age)))));
+    answer.age().ifPresent(age -> arguments.add(Words.named(AGE, Words.number(seconds(age)))));
     arguments.add(Words.named("confidence", Words.number(answer.confidence())));
     answer.because().forEach(b -> arguments.add(Words.named("because", arguments(b, answer.at()))));
     return new Content("inform", arguments);
@@ -58,6 +61,29 @@ public final class BeliefWords {
       arguments.add(Words.named("loser", said));
     }
     return new Content("inform", arguments);
+  }
+
+  /** What was told then, with the ages of now. */
+  public static Content later(Content told, Duration since) {
+    return new Content(told.operator(), later(told.arguments(), since));
+  }
+
+  private static List<Argument> later(List<Argument> told, Duration since) {
+    return told.stream().map(argument -> later(argument, since)).toList();
+  }
+
+  /** A variable may be called age, too, and what it stands for stays. */
+  private static Argument later(Argument told, Duration since) {
+    if (!(told instanceof Argument.Named named) || named.name().equals(BINDING)) {
+      return told;
+    }
+    return named.name().equals(AGE)
+        ? Words.named(AGE, Words.number(age(named) + seconds(since)))
+        : new Argument.Named(named.name(), later(named.arguments(), since));
+  }
+
+  private static double age(Argument.Named told) {
+    return Words.of(told).terms().get(0) instanceof Term.Number number ? number.value() : 0;
   }
 
   private static String lower(Enum<?> value) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.sl.Content;
 import org.maestro.sl.Content.Argument;
 import org.maestro.sl.Formula;
@@ -100,10 +101,11 @@ public final class Words {
     return all().stream().filter(n -> n.name().equals(name)).findFirst();
   }
 
-  /** Whether all arguments, if there are any, are of this name. */
-  public boolean hasNothingBut(String name) {
+  /** Whether all arguments, if there are any, are of these names. */
+  public boolean hasNothingBut(String... names) {
     return arguments.stream()
-        .allMatch(argument -> argument instanceof Argument.Named n && n.name().equals(name));
+        .allMatch(
+            argument -> argument instanceof Argument.Named n && Set.of(names).contains(n.name()));
   }
 
   /** All named arguments, in order. */

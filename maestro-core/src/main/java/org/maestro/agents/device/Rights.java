@@ -53,7 +53,10 @@ public record Rights(boolean known, Optional<List<Permission>> permissions) {
                         .map(
                             one ->
                                 new Permission(
-                                    texts(one, "caller"), Set.of(), texts(one, "permits")))
+                                    texts(one, "caller"),
+                                    Set.of(),
+                                    texts(one, "permits"),
+                                    Set.of()))
                         .toList()));
   }
 

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Replies;
@@ -25,7 +26,16 @@ import org.maestro.sl.SlSyntaxException;
 public final class KnowledgeCache {
   private final MaestroAgent agent;
   private final int most;
-  private final Map<Formula, Entry> entries = new LinkedHashMap<>(16, 0.75f, true);
+  private final Map<Asked, Entry> entries = new LinkedHashMap<>(16, 0.75f, true);
+
+  /** A question, and for whom it is asked. */
+  private record Asked(Formula question, Optional<String> person) {
+    Content content() {
+      List<Content.Argument> arguments = new ArrayList<>(List.of(Words.formula(question)));
+      person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+      return new Content("subscribe", arguments);
+    }
+  }
 
   /** A question, and what was answered last; until then who waits for it. */
   private static final class Entry {
@@ -64,7 +74,16 @@ public final class KnowledgeCache {
    * @param told once
    */
   public void read(Formula question, Consumer<Known> told) {
-    Entry entry = entry(question);
+    read(question, Optional.empty(), told);
+  }
+
+  /**
+   * The same for a person, who may be told other things than others.
+   *
+   * @param person who has signed in; empty: nobody in particular
+   */
+  public void read(Formula question, Optional<String> person, Consumer<Known> told) {
+    Entry entry = entry(new Asked(question, person));
     if (entry.known) {
       told.accept(known(entry));
     } else {
@@ -74,7 +93,7 @@ public final class KnowledgeCache {
 
   /** The same, and again whenever the answer changes, as long as the question is kept. */
   public void follow(Formula question, Consumer<Known> told) {
-    Entry entry = entry(question);
+    Entry entry = entry(new Asked(question, Optional.empty()));
     entry.followers.add(told);
     if (entry.known) {
       told.accept(known(entry));
@@ -85,7 +104,7 @@ public final class KnowledgeCache {
     return entries.size();
   }
 
-  private Entry entry(Formula question) {
+  private Entry entry(Asked question) {
     Entry known = entries.get(question);
     if (known != null) {
       return known;
@@ -97,9 +116,7 @@ public final class KnowledgeCache {
             .conversations()
             .subscribe(
                 agent.message(
-                    ACLMessage.SUBSCRIBE,
-                    agent.getAID(AgentNames.KNOWLEDGE),
-                    Words.content("subscribe", Words.formula(question))),
+                    ACLMessage.SUBSCRIBE, agent.getAID(AgentNames.KNOWLEDGE), question.content()),
                 reply -> heard(question, entry, reply));
     if (entries.size() > most) {
       forget(entries.keySet().iterator().next());
@@ -107,7 +124,7 @@ public final class KnowledgeCache {
     return entry;
   }
 
-  private void forget(Formula question) {
+  private void forget(Asked question) {
     Entry oldest = entries.remove(question);
     end(oldest);
     ACLMessage cancel =
@@ -123,7 +140,7 @@ public final class KnowledgeCache {
     agent.conversations().close(entry.conversation);
   }
 
-  private void heard(Formula question, Entry entry, ACLMessage reply) {
+  private void heard(Asked question, Entry entry, ACLMessage reply) {
     if (reply.getPerformative() == ACLMessage.AGREE) {
       return;
     }

@@ -12,6 +12,7 @@ import java.util.function.BiConsumer;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -32,12 +33,15 @@ public final class KnowledgeSubscriptions {
     private final ACLMessage request;
     private final Formula formula;
     private final Optional<Duration> within;
+    private final ReadingRights rights;
     private Map<Map<String, Term>, Truth> told = Map.of();
 
-    Subscription(ACLMessage request, Formula formula, Optional<Duration> within) {
+    Subscription(
+        ACLMessage request, Formula formula, Optional<Duration> within, ReadingRights rights) {
       this.request = request;
       this.formula = formula;
       this.within = within;
+      this.rights = rights;
     }
   }
 
@@ -53,9 +57,18 @@ public final class KnowledgeSubscriptions {
     return empty;
   }
 
-  /** Answers at once, and again whenever the answer changes. */
-  public void add(ACLMessage request, Formula formula, Optional<Duration> within, Snapshot now) {
-    Subscription subscription = new Subscription(request, formula, within);
+  /**
+   * Answers at once, and again whenever the answer changes.
+   *
+   * @param rights of who asks
+   */
+  public void add(
+      ACLMessage request,
+      Formula formula,
+      Optional<Duration> within,
+      ReadingRights rights,
+      Snapshot now) {
+    Subscription subscription = new Subscription(request, formula, within, rights);
     subscriptions.add(subscription);
     empty = false;
     tell(subscription, answers(subscription, now));
@@ -83,7 +96,8 @@ public final class KnowledgeSubscriptions {
   }
 
   private static List<Answer> answers(Subscription subscription, Snapshot now) {
-    Question question = new Question(subscription.within.map(now::notOlderThan).orElse(now));
+    Question question =
+        new Question(subscription.within.map(now::notOlderThan).orElse(now), subscription.rights);
     List<Answer> bound = question.answerRef(subscription.formula);
     return bound.isEmpty() ? List.of(question.answerIf(subscription.formula)) : bound;
   }

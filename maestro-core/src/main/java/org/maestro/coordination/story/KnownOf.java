@@ -14,13 +14,18 @@ import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Sensing;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.home.PrivateWords;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
-/** Says what is known of a thing that a goal names: what members tell, and what the home states. */
+/**
+ * Says what is known of a thing that a goal names: what members tell, and what the home states;
+ * what is private stays out of stories.
+ */
 public final class KnownOf {
   private static final int MOST_FACTS = 6;
   private static final String POSITION = "position";
@@ -29,6 +34,7 @@ public final class KnownOf {
   private final Home home;
   private final List<String> known;
   private final Sentences sentences;
+  private final ReadingRights readers;
 
   /**
    * @param known facts in MAESTRO-SL
@@ -37,18 +43,19 @@ public final class KnownOf {
     this.home = home;
     this.known = known;
     this.sentences = new Sentences(home.vocabulary());
+    this.readers = PrivateWords.of(home).ofAnybody();
   }
 
   String sentences(String name) {
     List<String> told = known.stream().filter(fact -> mentions(fact, name)).toList();
+    List<String> all = Stream.concat(told.stream(), stated(name)).distinct().toList();
     List<String> facts =
-        Stream.concat(told.stream(), stated(name))
-            .distinct()
-            .map(sentences::fact)
-            .limit(MOST_FACTS)
-            .toList();
+        all.stream().filter(readers::mayReadFact).map(sentences::fact).limit(MOST_FACTS).toList();
     boolean isSomewhere = canBeSomewhere(name) && told.stream().noneMatch(f -> isPlace(f, name));
     String where = isSomewhere ? "Where " + name + " is, nobody knows." : "";
+    if (facts.isEmpty() && !all.isEmpty()) {
+      return ("What is known of " + name + " is private. " + where).strip();
+    }
     if (facts.isEmpty()) {
       return where.isEmpty() ? "Of " + name + " nothing is known yet." : where;
     }

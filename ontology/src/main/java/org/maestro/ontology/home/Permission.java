@@ -8,14 +8,16 @@ import java.util.stream.Collectors;
 import org.maestro.sl.Term;
 
 /**
- * An access rule that a home states: its callers, the agents that they may ask, and for which
- * features.
+ * An access rule that a home states: its callers, the agents that they may ask, for which features,
+ * and the private words that they may read.
  *
  * @param callers names of agents and of users; "*" is everybody
  * @param asks names of devices and of device classes; empty: all devices
  * @param permits names of feature types; empty: all features
+ * @param reads names of private words; empty: none
  */
-public record Permission(Set<String> callers, Set<String> asks, Set<String> permits) {
+public record Permission(
+    Set<String> callers, Set<String> asks, Set<String> permits, Set<String> reads) {
   /** Everybody, among callers. */
   public static final String ANYBODY = "*";
 
@@ -23,10 +25,20 @@ public record Permission(Set<String> callers, Set<String> asks, Set<String> perm
     callers = sorted(callers);
     asks = sorted(asks);
     permits = sorted(permits);
+    reads = sorted(reads);
   }
 
   static Permission of(Individual stated) {
-    return new Permission(names(stated, "caller"), names(stated, "asks"), names(stated, "permits"));
+    return new Permission(
+        names(stated, "caller"),
+        names(stated, "asks"),
+        names(stated, "permits"),
+        names(stated, "reads"));
+  }
+
+  /** Whether it says nothing of asking for features. */
+  boolean isOnlyForReading() {
+    return !reads.isEmpty() && asks.isEmpty() && permits.isEmpty();
   }
 
   boolean isAbout(Device device) {

@@ -14,8 +14,8 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.WordHints;
 
 /**
- * Checks that permissions speak of devices and features that there are: a typing error opens no
- * door.
+ * Checks that permissions speak of devices, features and private words that there are: a typing
+ * error opens no door.
  */
 final class PermissionCheck {
   private final SourceGraph graph;
@@ -23,6 +23,7 @@ final class PermissionCheck {
   private final WordHints hints;
   private final Set<String> asked = new TreeSet<>();
   private final Set<String> permitted = new TreeSet<>();
+  private final Set<String> readable = new TreeSet<>();
 
   PermissionCheck(SourceGraph graph, Home home) {
     this.graph = graph;
@@ -37,6 +38,7 @@ final class PermissionCheck {
         .flatMap(device -> device.features().stream())
         .map(FeatureType::name)
         .forEach(permitted::add);
+    readable.addAll(PrivateWords.of(home).all());
   }
 
   void check(Map<String, Node> nodes) {
@@ -47,6 +49,7 @@ final class PermissionCheck {
               Node node = HomeCheck.named(nodes, thing.name());
               check(node, "asks", asked, "is neither a device of this home nor a class of devices");
               check(node, "permits", permitted, "is no feature that is known here");
+              check(node, "reads", readable, "is no private word of this home");
             });
   }
 

@@ -30,6 +30,7 @@ import org.maestro.sl.TypedVariable;
  * @param least no value of the fluent is below it
  * @param takenFrom where its number comes from unless it is stated by itself
  * @param countedWhen its number is how often this has become so, about this time of day
+ * @param isPrivate its facts are told to those alone whom the home permits that
  */
 public record PredicateDeclaration(
     String name,
@@ -49,12 +50,18 @@ public record PredicateDeclaration(
     Optional<String> unit,
     OptionalDouble least,
     Optional<TakenFrom> takenFrom,
-    Optional<Formula> countedWhen) {
+    Optional<Formula> countedWhen,
+    boolean isPrivate) {
   /** QUDT's names of units, as people write them. */
   private static final Map<String, String> UNIT_SYMBOLS =
       Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W", "MIN", "min");
 
-  /** One that counts nothing. */
+  public PredicateDeclaration {
+    parameters = List.copyOf(parameters);
+    validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
+  }
+
+  /** One that counts nothing, and whose facts everybody may be told. */
   public PredicateDeclaration(
       String name,
       String iri,
@@ -91,12 +98,8 @@ public record PredicateDeclaration(
         unit,
         least,
         takenFrom,
-        Optional.empty());
-  }
-
-  public PredicateDeclaration {
-    parameters = List.copyOf(parameters);
-    validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
+        Optional.empty(),
+        false);
   }
 
   /** How it is written, such as {@code (nextTo ?a - Thing ?b - Thing)}. */
@@ -111,7 +114,9 @@ public record PredicateDeclaration(
     return unit.map(name -> " " + UNIT_SYMBOLS.getOrDefault(name, name)).orElse("");
   }
 
-  /** The same without what people read, and with its arguments called by their places. */
+  /**
+   * The same without what people read and who may, and with its arguments called by their places.
+   */
   PredicateDeclaration unlabelled() {
     Map<String, Term> places = new TreeMap<>();
     List<TypedVariable> numbered = new ArrayList<>();
@@ -139,6 +144,7 @@ public record PredicateDeclaration(
         unit,
         least,
         takenFrom,
-        countedWhen.map(called::apply));
+        countedWhen.map(called::apply),
+        isPrivate);
   }
 }

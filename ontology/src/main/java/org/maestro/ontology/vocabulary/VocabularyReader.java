@@ -169,7 +169,8 @@ public final class VocabularyReader {
         literals.text(node, "unit"),
         literals.number(node, "least"),
         takenFrom(node),
-        formula(node, "countedWhen", fluents));
+        formula(node, "countedWhen", fluents),
+        literals.flag(node, "private"));
   }
 
   private Optional<TakenFrom> takenFrom(Node node) {

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.maestro.console.access.Access;
+import org.maestro.console.access.Readership;
 import org.maestro.console.api.Api;
 import org.maestro.console.api.HistoryOperations;
 import org.maestro.console.api.OpenApiDocument;
@@ -68,6 +69,7 @@ public final class Console implements AutoCloseable {
       String version) {
     requireFree(serving);
     Access access = serving.access();
+    Readership readership = new Readership(platform.knowledge(), access.isSecured());
     AclQuestions questions = new AclQuestions(platform.desk());
     Health health = new Health(questions, platform::containers, platform::impediments);
     PlatformStates states = new PlatformStates(platform, EventHub.LOOK);
@@ -78,6 +80,7 @@ public final class Console implements AutoCloseable {
         new EventHub(
             questions,
             platform.knowledge(),
+            readership,
             Map.of("health", health::document, "states", states::document),
             after -> history.answered(Answerer.AGENTS, after));
     Recording recording = new Recording(events, history, MEASURED);
@@ -96,6 +99,7 @@ public final class Console implements AutoCloseable {
                     truth.isPresent(),
                     questions,
                     platform.knowledge(),
+                    readership,
                     preview::of,
                     queries::of)
                 .operations());

@@ -21,6 +21,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.console.access.Readership;
 import org.maestro.console.documents.FactsDocument;
 import org.maestro.console.documents.HomeDocument;
 import org.maestro.console.documents.StoryDocument;
@@ -30,6 +31,7 @@ import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.ReadingRights;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -51,6 +53,7 @@ final class EventHub implements EventSource, AutoCloseable {
 
   private final Questions questions;
   private final KnowledgeBase knowledge;
+  private final Readership readership;
   private final Map<String, Supplier<JsonNode>> looked;
   private final Consumer<Duration> answered;
   private final ScheduledExecutorService thread =
@@ -67,6 +70,7 @@ final class EventHub implements EventSource, AutoCloseable {
   // All below is the thread's own.
   private final Listeners listeners = new Listeners();
   private Map<String, Belief> facts = Map.of();
+  private int leftOut;
   private Optional<Home> drawn = Optional.empty();
   private Optional<JsonNode> home = Optional.empty();
   private Optional<JsonNode> goals = Optional.empty();
@@ -74,16 +78,19 @@ final class EventHub implements EventSource, AutoCloseable {
   private final Map<String, JsonNode> seen = new HashMap<>();
 
   /**
+   * @param readership all listeners are told the same: what all who look may read
    * @param looked what is looked at again and again, by the name of its event; quickly told
    * @param answered told how long agents take to answer
    */
   EventHub(
       Questions questions,
       KnowledgeBase knowledge,
+      Readership readership,
       Map<String, Supplier<JsonNode>> looked,
       Consumer<Duration> answered) {
     this.questions = questions;
     this.knowledge = knowledge;
+    this.readership = readership;
     this.looked = looked;
     this.answered = answered;
   }
@@ -144,15 +151,20 @@ final class EventHub implements EventSource, AutoCloseable {
   private void refresh() {
     drawn = Optional.of(knowledge.home());
     home = drawn.map(HomeDocument::of);
-    facts = byFact(knowledge.snapshot());
+    facts = told(knowledge.snapshot());
     goalsAreNew.set(true);
     looked.forEach((name, look) -> seen.put(name, look.get()));
     askForAgents();
   }
 
-  private static Map<String, Belief> byFact(Snapshot snapshot) {
+  private Map<String, Belief> told(Snapshot snapshot) {
+    ReadingRights rights = readership.ofAll();
+    List<Belief> all = snapshot.beliefs();
     Map<String, Belief> byFact = new LinkedHashMap<>();
-    snapshot.beliefs().forEach(belief -> byFact.put(belief.fact(), belief));
+    all.stream()
+        .filter(belief -> rights.mayReadFact(belief.fact()))
+        .forEach(belief -> byFact.put(belief.fact(), belief));
+    leftOut = all.size() - byFact.size();
     return byFact;
   }
 
@@ -183,13 +195,14 @@ final class EventHub implements EventSource, AutoCloseable {
 
   private void tellFacts() {
     Snapshot snapshot = knowledge.snapshot();
-    Map<String, Belief> now = byFact(snapshot);
+    int leftOutBefore = leftOut;
+    Map<String, Belief> now = told(snapshot);
     Map<String, Belief> changed = new LinkedHashMap<>(now);
     changed.entrySet().removeIf(entry -> entry.getValue().equals(facts.get(entry.getKey())));
     Set<String> gone = new HashSet<>(facts.keySet());
     gone.removeAll(now.keySet());
     facts = now;
-    if (!changed.isEmpty() || !gone.isEmpty()) {
+    if (!changed.isEmpty() || !gone.isEmpty() || leftOut != leftOutBefore) {
       listeners.tell("facts", changes(changed, gone, snapshot, false));
     }
     tellHome(knowledge.home());
@@ -208,9 +221,10 @@ final class EventHub implements EventSource, AutoCloseable {
     }
   }
 
-  private static JsonNode changes(
+  private JsonNode changes(
       Map<String, Belief> set, Set<String> gone, Snapshot snapshot, boolean all) {
-    ObjectNode node = JsonNodeFactory.instance.objectNode().put("all", all);
+    ObjectNode node =
+        JsonNodeFactory.instance.objectNode().put("all", all).put("left_out", leftOut);
     ArrayNode facts = node.putArray("facts");
     set.values().forEach(belief -> facts.add(FactsDocument.of(belief, snapshot)));
     ArrayNode lost = node.putArray("gone");

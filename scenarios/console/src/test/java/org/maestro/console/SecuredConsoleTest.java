@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.InputStream;
+import java.net.URLEncoder;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.knowledge.api.Source;
 import org.maestro.rats.security.Role;
 import org.maestro.rats.security.SecureSite;
 
@@ -31,9 +33,26 @@ import org.maestro.rats.security.SecureSite;
 class SecuredConsoleTest {
   private static final Duration LIMIT = Duration.ofSeconds(60);
 
-  /** Alice may have everybody asked; the others have no permission in the home. */
+  /**
+   * Alice may have everybody asked, and is told what Dave likes; the others have no permission in
+   * the home.
+   */
   private static final String PERMISSIONS =
-      "\nhome:aliceAsks a maestro:Permission ; maestro:caller \"alice\" .\n";
+      """
+
+      home:aliceAsks a maestro:Permission ; maestro:caller "alice" .
+      :prefers maestro:private true .
+      home:Dave a :Person ; rdfs:label "Dave"@en .
+      home:Opera a :Show ; rdfs:label "the opera"@en .
+      home:dave-evenings a :Preference ; rdfs:label "what Dave likes in the evening"@en ;
+        :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
+      home:aliceIsTold a maestro:Permission ; maestro:caller "alice" ; maestro:reads :prefers .
+      """;
+
+  private static final String LIKES =
+      URLEncoder.encode("(prefers dave-evenings ?show)", StandardCharsets.UTF_8);
+  private static final String LIKED =
+      URLEncoder.encode("(prefers dave-evenings Opera)", StandardCharsets.UTF_8);
 
   @TempDir static Path files;
   private static ServedHome home;
@@ -180,6 +199,58 @@ class SecuredConsoleTest {
         .contains("no maestro:Permission", "mallory");
     assertThat(home.send(posting(as("alice", "/members/lamp-b1/calls"), call)).status())
         .isEqualTo(201);
+  }
+
+  /** Private facts by permission only (ADE, 4.1; A30, A57), each way that the console has. */
+  @Test
+  void whatIsPrivateIsToldToWhomTheHomePermitsIt() throws Exception {
+    JsonNode told = home.send(as("alice", "/knowledge?question=" + LIKES)).document();
+    assertThat(told.at("/answers/0/binding/show").asText()).isEqualTo("Opera");
+    assertThat(told.at("/answers/0/source").asText()).isEqualTo("bob-secured.ttl");
+    assertThat(told.at("/answers/0/because/0/kind").asText()).isEqualTo("described");
+    assertThat(home.send(as("alice", "/knowledge/history?fact=" + LIKED)).status()).isEqualTo(200);
+
+    String sentence =
+        "prefers is private in this home, and no maestro:Permission lets desk or mallory read it";
+    String query = "{\"query\": \"SELECT * WHERE { GRAPH ?g { ?a ?b ?c } }\"}";
+    for (ServedHome.Answer refused :
+        List.of(
+            home.send(as("mallory", "/knowledge?question=" + LIKES)),
+            home.send(as("mallory", "/knowledge/history?fact=" + LIKED)),
+            home.send(posting(as("mallory", "/queries"), query)))) {
+      assertThat(refused.status()).isEqualTo(400);
+      home.assertValid(refused.document(), "problem");
+      assertThat(refused.problem()).contains(sentence).doesNotContain("Opera");
+    }
+    assertThat(home.send(posting(as("alice", "/queries"), query)).status()).isEqualTo(200);
+  }
+
+  @Test
+  void listsLeaveOutWhatIsPrivateAndSayHowMuch() throws Exception {
+    home.site()
+        .platform()
+        .knowledge()
+        .state(
+            new Source(Source.Kind.STATED, "somebody"), List.of("(prefers dave-evenings Opera)"));
+    JsonNode whole = home.send(as("alice", "/facts")).document();
+    home.assertValid(whole, "facts");
+    assertThat(whole.path("left_out").asInt()).isZero();
+    assertThat(whole.toString()).contains("(prefers dave-evenings Opera)");
+    JsonNode part = home.send(as("mallory", "/facts")).document();
+    home.assertValid(part, "facts");
+    assertThat(part.path("left_out").asInt()).isEqualTo(1);
+    assertThat(part.toString()).doesNotContain("Opera");
+  }
+
+  /** All who look read what is said there, so that it is not told even to whom it might be. */
+  @Test
+  void theChatIsHeardByAllAndTellsNothingPrivate() throws Exception {
+    String said =
+        "{\"person\": \"Bob\", \"room\": \"room-a\", \"text\": \"? (prefers dave-evenings ?show)\"}";
+    ServedHome.Answer accepted = home.send(posting(as("alice", "/chat"), said));
+    assertThat(accepted.status()).as(accepted.toString()).isEqualTo(201);
+    await(() -> home.send(as("screen", "/chat")).document().toString().contains("is private"));
+    assertThat(home.send(as("screen", "/chat")).document().toString()).doesNotContain("Opera");
   }
 
   @ParameterizedTest

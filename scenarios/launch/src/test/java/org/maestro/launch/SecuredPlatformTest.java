@@ -33,6 +33,7 @@ import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sl.SlParser;
 
 /**
  * A secured site as processes of others meet it: who joins, who asks whom for what, and what those
@@ -61,6 +62,13 @@ class SecuredPlatformTest {
                     home:familyAsks a maestro:Permission ; maestro:caller "console" .
                     home:tabletDims a maestro:Permission ; maestro:caller "tablet" ;
                       maestro:asks :Lamp .
+                    :prefers maestro:private true .
+                    home:Dave a :Person ; rdfs:label "Dave"@en .
+                    home:Opera a :Show ; rdfs:label "the opera"@en .
+                    home:dave-evenings a :Preference ; rdfs:label "what Dave likes"@en ;
+                      :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
+                    home:consoleIsTold a maestro:Permission ; maestro:caller "console" ;
+                      maestro:reads :prefers .
                     """,
                 "bob.ttl");
     SecureSite.make(
@@ -153,6 +161,29 @@ class SecuredPlatformTest {
           .contains("No maestro:Permission of the home lets stranger")
           .contains("ask anybody for anything");
     }
+  }
+
+  /** What is known of persons is read by permission only (ADE, 4.1; A57). */
+  @Test
+  void whatDaveLikesIsToldToWhomTheHomePermitsThatAndToNobodyElse() throws Exception {
+    try (JoinedContainer console = join("console");
+        JoinedContainer tablet = join("tablet")) {
+      assertThat(askWhatDaveLikes(console).getContent())
+          .contains("(:binding (:show Opera))", "(:source \"bob.ttl\") (:kind described)");
+      ACLMessage refusal = askWhatDaveLikes(tablet);
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent())
+          .contains("prefers is private in this home, and no maestro:Permission lets tablet")
+          .doesNotContain("Opera");
+    }
+  }
+
+  private static ACLMessage askWhatDaveLikes(JoinedContainer asking) {
+    return asking.ask(
+        ACLMessage.QUERY_REF,
+        AgentNames.KNOWLEDGE,
+        Words.content(
+            "query-ref", Words.formula(SlParser.formula("(prefers dave-evenings ?show)"))));
   }
 
   private static boolean told(String part) {

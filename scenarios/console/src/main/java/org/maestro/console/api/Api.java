@@ -13,6 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.AskedStakes;
+import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation.Method;
 import org.maestro.console.api.Operation.Parameter;
 import org.maestro.console.api.Operation.Request;
@@ -25,6 +26,7 @@ import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.rats.security.Role;
 import org.maestro.sl.SlSyntaxException;
 
@@ -43,6 +45,7 @@ public final class Api {
   private final boolean simulated;
   private final AclQuestions questions;
   private final KnowledgeBase knowledge;
+  private final Readership readership;
   private final Function<String, CompletableFuture<JsonNode>> preview;
   private final Function<String, CompletableFuture<JsonNode>> queries;
 
@@ -50,6 +53,7 @@ public final class Api {
    * @param platform its name
    * @param speed of its clock, simulated seconds in one of wall time
    * @param simulated whether this process simulates the home
+   * @param readership who may read what of all that is known
    * @param preview makes a plan for a goal that is not stated yet
    * @param queries answers SPARQL
    */
@@ -59,6 +63,7 @@ public final class Api {
       boolean simulated,
       AclQuestions questions,
       KnowledgeBase knowledge,
+      Readership readership,
       Function<String, CompletableFuture<JsonNode>> preview,
       Function<String, CompletableFuture<JsonNode>> queries) {
     this.platform = platform;
@@ -66,6 +71,7 @@ public final class Api {
     this.simulated = simulated;
     this.questions = questions;
     this.knowledge = knowledge;
+    this.readership = readership;
     this.preview = preview;
     this.queries = queries;
   }
@@ -89,7 +95,8 @@ public final class Api {
             "facts",
             "All that is known now, each fact with its source, age and confidence.",
             "facts",
-            request -> answer(FactsDocument.of(knowledge.snapshot()))),
+            request ->
+                answer(FactsDocument.of(knowledge.snapshot(), readership.of(request.visit())))),
         get(
             "/goals",
             "goals",
@@ -206,7 +213,7 @@ public final class Api {
                 "know",
                 "What is known of a question, how surely, and how old that is.",
                 "know",
-                request -> questions.know(request.parameter("question")))
+                request -> questions.know(request.parameter("question"), request.visit().person()))
             .with(
                 Parameter.query(
                     "question", "In MAESTRO-SL, perhaps with variables: (in Cup ?where).")),
@@ -223,7 +230,7 @@ public final class Api {
                 "query",
                 "What a SPARQL SELECT finds in all that is known, 1,000 rows at most.",
                 "rows",
-                request -> queries.apply(request.body().path("query").asText()))
+                this::query)
             .taking("query-request"),
         order(
                 Method.POST,
@@ -252,13 +259,27 @@ public final class Api {
   }
 
   private CompletableFuture<JsonNode> history(Request request) {
+    String fact = request.parameter("fact");
     try {
-      return answer(
-          HistoryDocument.of(knowledge.history(request.parameter("fact")), knowledge.snapshot()));
+      Optional<String> objection = readership.of(request.visit()).objectionToFact(fact);
+      return objection.isPresent()
+          ? CompletableFuture.failedFuture(RefusalException.badInput(objection.get()))
+          : answer(HistoryDocument.of(knowledge.history(fact), knowledge.snapshot()));
     } catch (KnowledgeException | SlSyntaxException e) {
       return CompletableFuture.failedFuture(
           RefusalException.badInput(String.valueOf(e.getMessage())));
     }
+  }
+
+  /** A query may look at everything, so that who may not is not let look at all. */
+  private CompletableFuture<JsonNode> query(Request request) {
+    ReadingRights rights = readership.of(request.visit());
+    Optional<String> objection = rights.objection(rights.hidden());
+    return objection.isPresent()
+        ? CompletableFuture.failedFuture(
+            RefusalException.badInput(
+                objection.get() + " A query in SPARQL reads everything; ask in MAESTRO-SL."))
+        : queries.apply(request.body().path("query").asText());
   }
 
   private CompletableFuture<JsonNode> state(Request request) {

@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
@@ -59,7 +60,7 @@ public final class WrittenInterlocutor implements Interlocutor {
     if (reading instanceof Reading.Goal goal) {
       state(goal.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Question question) {
-      ask(question.formula(), listener, words);
+      ask(question.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Unfinished part) {
       listener.accept(questionBack(part, words));
     } else if (reading instanceof Reading.Unclear unclear) {
@@ -134,9 +135,11 @@ public final class WrittenInterlocutor implements Interlocutor {
         });
   }
 
-  private void ask(String question, Consumer<ChatEvent> listener, WrittenWords words) {
+  /** All who look read what is answered here: of what is private only what the desk itself may. */
+  private void ask(
+      String question, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
     questions
-        .know(question)
+        .know(question, asker.map(person -> AgentNames.DESK))
         .thenAccept(answers -> tell(answers, listener))
         .exceptionally(
             refusal -> {

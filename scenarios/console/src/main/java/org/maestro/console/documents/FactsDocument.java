@@ -4,8 +4,10 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Fact;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
@@ -14,11 +16,16 @@ import org.maestro.sl.Term;
 public final class FactsDocument {
   private FactsDocument() {}
 
-  public static JsonNode of(Snapshot snapshot) {
+  /**
+   * @param rights of whom it is for; of what is kept from her is told how much that is
+   */
+  public static JsonNode of(Snapshot snapshot, ReadingRights rights) {
     JsonMembers document = JsonMembers.empty();
     ArrayNode facts = document.node().putArray("facts");
-    snapshot.beliefs().forEach(belief -> add(JsonMembers.in(facts), belief, snapshot));
-    return document.node();
+    List<Belief> all = snapshot.beliefs();
+    List<Belief> told = all.stream().filter(belief -> rights.mayReadFact(belief.fact())).toList();
+    told.forEach(belief -> add(JsonMembers.in(facts), belief, snapshot));
+    return document.number("left_out", OptionalInt.of(all.size() - told.size())).node();
   }
 
   /** One fact by itself. */

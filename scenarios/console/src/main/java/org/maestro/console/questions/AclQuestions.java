@@ -81,6 +81,15 @@ public final class AclQuestions implements Questions {
 
   @Override
   public CompletableFuture<JsonNode> know(String question) {
+    return know(question, Optional.empty());
+  }
+
+  /**
+   * The same for a person, who is told what is private only where she may read it.
+   *
+   * @param person who has signed in at the desk
+   */
+  public CompletableFuture<JsonNode> know(String question, Optional<String> person) {
     CompletableFuture<JsonNode> answer = new CompletableFuture<>();
     Formula asked;
     try {
@@ -91,6 +100,7 @@ public final class AclQuestions implements Questions {
     }
     desk.know(
         asked,
+        person,
         contents -> answer.complete(AnswersDocument.of(contents.stream().map(Words::of).toList())),
         failure -> answer.completeExceptionally(RefusalException.badInput(failure)));
     return answer;

@@ -7,6 +7,8 @@ function nothing() {
     home: { things: [] },
     thingByName: new Map(),
     facts: new Map(),
+    /** How many more there are that are private. */
+    leftOut: 0,
     /** What was known last under a word of a thing, and is not any more: it was seen too long ago. */
     former: new Map(),
     /** The facts under each word, by the first thing that they are about. */
@@ -203,6 +205,7 @@ const TAKEN = {
       }
     });
     news.facts.forEach((fact) => learn(now, dated(fact)));
+    now.leftOut = news.left_out;
   },
   goals: (news) => { now.goals = news.goals.map(dated); },
   health: (news) => { now.health = news; },

@@ -8,6 +8,8 @@ import { FACTS } from "./detail.js";
 let listed = null;
 
 export function drawKnowledge() {
+  byId("facts-left-out").hidden = state.leftOut === 0;
+  byId("facts-left-out").textContent = `${state.leftOut} more ${state.leftOut === 1 ? "is" : "are"} private, and left out here.`;
   if (state.facts.size === 0) {
     redraw(byId("fact-list"), make("p", { class: "empty" }, "Nothing is known yet but what the home says. State a goal, and somebody will look."));
   } else {
@@ -20,12 +22,17 @@ function bound(answer) {
     .map(([name, value]) => `?${name} = ${Array.isArray(value) ? value.join(" ") : value}`).join(", ");
 }
 
+/** What stands in the home has been so since the platform began, and perhaps for longer. */
+function origin({ source, because }) {
+  return because[0]?.kind === "described" ? `${source}, since the platform began` : source ?? "–";
+}
+
 function answered({ answers }) {
   return [table([
     { name: "Truth", text: (answer) => answer.truth },
     { name: "With", text: (answer) => bound(answer) || "–", cell: (answer) => make("code", {}, bound(answer) || "–") },
     { name: "Age", className: "number", text: (answer) => seconds(answer.age_s) },
-    { name: "From", text: (answer) => answer.source ?? "–" },
+    { name: "From", text: origin },
   ], answers)];
 }
 

@@ -1,0 +1,42 @@
+package org.maestro.console.access;
+
+import java.util.Optional;
+import org.maestro.agents.content.AgentNames;
+import org.maestro.agents.knowledge.Readers;
+import org.maestro.agents.runtime.Caller;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.ontology.home.ReadingRights;
+
+/**
+ * Those who read at the console what is known, where no agent is asked: they may read what they may
+ * by the desk. Any thread.
+ */
+public final class Readership {
+  private final Readers readers;
+  private final boolean isSecured;
+
+  /**
+   * @param isSecured whether persons have to sign in
+   */
+  public Readership(KnowledgeBase knowledge, boolean isSecured) {
+    this.readers = new Readers(knowledge::home);
+    this.isSecured = isSecured;
+  }
+
+  /** What she may read who asks. */
+  public ReadingRights of(Visit visit) {
+    return of(visit.person());
+  }
+
+  /** What all may read who look. */
+  public ReadingRights ofAll() {
+    return of(Optional.empty());
+  }
+
+  private ReadingRights of(Optional<String> person) {
+    return readers.of(
+        new Caller(
+            AgentNames.DESK,
+            isSecured ? Optional.of(person.orElse(AgentNames.DESK)) : Optional.empty()));
+  }
+}
