@@ -149,6 +149,18 @@ class LivingRoomTest {
                       .containsExactly("livingroom.ttl"));
     }
 
+    /** The home calls it private, and stories are for all. */
+    @Test
+    void whatIsKnownOfAThingIsToldInStoriesWithoutWhatIsPrivate(Stage stage) {
+      assertThat(stage.goal("(learnPrefs dave-evenings News)").story())
+          .extracting(StoryEntry::text)
+          .filteredOn(text -> text.startsWith("Known of dave-evenings"))
+          .singleElement()
+          .asString()
+          .contains("Dave")
+          .doesNotContain("Opera");
+    }
+
     /** Of an answer that rests on both, who has said something since is told first. */
     @Test
     void whoSpokeSinceIsToldBeforeTheHome(Stage stage) {
