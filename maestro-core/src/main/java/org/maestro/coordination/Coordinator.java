@@ -109,7 +109,9 @@ public final class Coordinator {
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
     this.activeGoals =
         new ActiveGoals(ports.clock(), ports.owner(), appraisals, ports.dispatcher());
-    this.composites = new CompositeActions(this.ports, this::run);
+    this.composites =
+        new CompositeActions(
+            this.ports, new ScriptsInPlans(this.ports, activeGoals, new PartsOfScripts()));
     if (usesScripts()) {
       roster.present(Script.PLANNED_AS, Optional.empty());
     }
@@ -254,34 +256,6 @@ public final class Coordinator {
   /** Only the central coordinator has all devices that a script may use. */
   private boolean usesScripts() {
     return prefix.equals(GoalId.CENTRAL) && composites.isAny();
-  }
-
-  /** A script that is a step of a plan. */
-  private ActiveGoal run(String id, Formula.Atom goal, Ports within, Consumer<GoalOutcome> ended) {
-    String whole = GoalId.whole(id);
-    GoalStatus asked = activeGoals.find(whole).orElseThrow().status();
-    GoalRequest request =
-        new GoalRequest(goal, asked.requester(), asked.priority(), Optional.empty());
-    GoalPriority standing = activeGoals.leases().ownStanding(whole);
-    Script script = ScriptGoal.script(goal, ports.knowledge().home().scripts()).orElseThrow();
-    ActiveGoal run =
-        new ScriptGoal(
-            id,
-            request,
-            script,
-            standing,
-            within.with(ScriptGoal.storyOfPart(id, ports)),
-            activeGoals,
-            new PartsOfScripts(),
-            outcome -> activeGoals.run(() -> ended.accept(outcome)));
-    activeGoals.enter(run, standing);
-    ports
-        .journal()
-        .accept(
-            new JournalEntry.Submitted(id, request),
-            () -> ports.owner().execute(() -> activeGoals.run(run::start)),
-            reason -> activeGoals.run(() -> run.cancel(reason)));
-    return run;
   }
 
   /** Goals for parts of scripts; how a script as a whole is ended is no matter of theirs. */

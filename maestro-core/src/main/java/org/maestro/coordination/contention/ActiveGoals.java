@@ -31,7 +31,7 @@ import org.maestro.rats.time.Clock;
  * no goal's decision is made in the middle of another's.
  */
 public final class ActiveGoals {
-  private final Leases leases;
+  private final Leases leases = new Leases(this::wake);
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
@@ -49,7 +49,6 @@ public final class ActiveGoals {
     this.rush = new Rush(clock, owner, this::wake);
     this.appraisals = appraisals;
     this.otherManagers = new OtherManagers(this, agents, clock, owner);
-    this.leases = new Leases(this::wake, otherManagers::areThere);
   }
 
   public Leases leases() {

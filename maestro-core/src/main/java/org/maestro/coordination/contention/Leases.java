@@ -13,7 +13,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -37,26 +36,17 @@ public final class Leases {
   private final Map<Resource, Run> runs = new TreeMap<>();
   private final Map<String, Wait> waits = new LinkedHashMap<>();
   private final Consumer<String> wake;
-  private final BooleanSupplier otherManagers;
 
   private record Run(String goal, String member) {}
 
   private record Wait(Set<Resource> wanted, List<WaitsFor> edges) {}
 
-  /** Of goals among which there are none of other managers. */
-  Leases(Consumer<String> wake) {
-    this(wake, () -> false);
-  }
-
   /**
    * @param wake told the goals that may go on, first who goes first; is to look at them later, not
    *     inside the call
-   * @param otherManagers whether there are goals of other managers, which may go on meanwhile where
-   *     one of these stands back
    */
-  Leases(Consumer<String> wake, BooleanSupplier otherManagers) {
+  Leases(Consumer<String> wake) {
     this.wake = wake;
-    this.otherManagers = otherManagers;
   }
 
   void enter(String goal, GoalPriority standing) {
@@ -244,7 +234,7 @@ public final class Leases {
    */
   public void waitFor(String goal, Set<Resource> wanted, List<WaitsFor> edges) {
     Wait before = waits.put(goal, new Wait(Set.copyOf(wanted), List.copyOf(edges)));
-    if (before != null && wanted.isEmpty() && otherManagers.getAsBoolean()) {
+    if (before != null && wanted.isEmpty()) {
       leavesQueues(goal, before.wanted());
     }
   }

@@ -42,6 +42,7 @@ public final class OtherManagers {
   private final Map<String, Guest> guests = new TreeMap<>();
   private Map<Asked, ComponentWant> asked = new LinkedHashMap<>();
   private boolean isLookedAfter;
+  private boolean wereThere;
 
   private record Asked(String goal, String member) {}
 
@@ -60,8 +61,9 @@ public final class OtherManagers {
     return Optional.ofNullable(guests.get(goal));
   }
 
+  /** Whether a goal of another manager has ever contended with these: it may at any time again. */
   boolean areThere() {
-    return !guests.isEmpty();
+    return wereThere;
   }
 
   boolean isWaiting(String goal) {
@@ -124,6 +126,7 @@ public final class OtherManagers {
   }
 
   private Guest guest(String goal) {
+    wereThere = true;
     return guests.computeIfAbsent(
         goal,
         id -> {
