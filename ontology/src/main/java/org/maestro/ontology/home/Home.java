@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.wording.Wording;
 
 /**
  * A home: the map and the devices, with the vocabulary that describes them. Keyed by local name.
@@ -14,6 +15,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
  *
  * @param scripts how things are done in it, by their names
  * @param timeZone of the clocks on its walls; empty: that of the machine on which one asks
+ * @param wording what its words are called in the languages of people
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
  * @param file its file's name, such as {@code bob.ttl}; empty: it was not read from one
@@ -27,6 +29,7 @@ public record Home(
     Map<String, Group> groups,
     Map<String, Script> scripts,
     Optional<ZoneId> timeZone,
+    Wording wording,
     String words,
     Optional<String> file) {
   public Home {
@@ -39,13 +42,33 @@ public record Home(
   /** The same home with these scripts. */
   public Home withScripts(Map<String, Script> others) {
     return new Home(
-        iri, label, vocabulary, individuals, devices, groups, others, timeZone, words, file);
+        iri,
+        label,
+        vocabulary,
+        individuals,
+        devices,
+        groups,
+        others,
+        timeZone,
+        wording,
+        words,
+        file);
   }
 
   /** The same home with these devices; the others are things of it only. */
   public Home withDevices(Map<String, Device> others) {
     return new Home(
-        iri, label, vocabulary, individuals, others, groups, scripts, timeZone, words, file);
+        iri,
+        label,
+        vocabulary,
+        individuals,
+        others,
+        groups,
+        scripts,
+        timeZone,
+        wording,
+        words,
+        file);
   }
 
   /** The same home, whose clocks show the time of that zone. */
@@ -59,6 +82,7 @@ public record Home(
         groups,
         scripts,
         Optional.of(zone),
+        wording,
         words,
         file);
   }
@@ -80,6 +104,7 @@ public record Home(
         groups,
         Map.of(),
         Optional.empty(),
+        Wording.NONE,
         "",
         Optional.empty());
   }
@@ -134,6 +159,7 @@ public record Home(
         groups,
         scripts,
         timeZone,
+        wording,
         words,
         file);
   }

@@ -17,6 +17,7 @@ import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
+import org.maestro.ontology.wording.WordingReader;
 
 /** Reads the home of a graph: its things, its devices and its scripts. */
 final class HomeReader {
@@ -65,6 +66,7 @@ final class HomeReader {
             groups(individuals, nodes, words, scripts.keySet()),
             readScripts(scripts),
             timeZone(homeNode),
+            new WordingReader(graph, vocabulary).read(),
             ownWords(),
             Optional.of(source.substring(source.lastIndexOf('/') + 1)));
     check(home, nodes, scripts);
@@ -194,7 +196,9 @@ final class HomeReader {
    * understood, rather than describe a thing.
    */
   private boolean isAWord(Node subject) {
-    return Alignment.isOnlyAligned(graph, subject) || isDeclared(subject);
+    return Alignment.isOnlyAligned(graph, subject)
+        || isDeclared(subject)
+        || WordingReader.isWording(graph, subject);
   }
 
   private boolean isDeclared(Node subject) {

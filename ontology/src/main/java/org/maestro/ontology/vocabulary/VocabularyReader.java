@@ -34,7 +34,9 @@ public final class VocabularyReader {
           "Action",
           "Task",
           "Home",
-          "Script");
+          "Script",
+          "State",
+          "Construction");
 
   /** A hundred years, beyond which clocks have no instants to reckon with. */
   private static final Duration LONGEST_AGE = Duration.ofDays(36_500);
