@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
       GoalsCommand.class,
       KnowCommand.class,
       WordsCommand.class,
+      UnderstandCommand.class,
       SlCommand.class,
       WhyCommand.class,
       TraceCommand.class,

@@ -1,0 +1,93 @@
+package org.maestro.language;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import org.maestro.language.chart.Chart;
+import org.maestro.language.chart.RuleIndex;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.language.grammar.GrammarReader;
+import org.maestro.language.hearing.HeardWords;
+import org.maestro.language.lexicon.ConstructionRules;
+import org.maestro.language.lexicon.Lexicon;
+import org.maestro.language.lexicon.LexiconOfHome;
+import org.maestro.language.lexicon.Tokens;
+import org.maestro.language.reference.Situation;
+import org.maestro.ontology.home.Home;
+
+/**
+ * A language of people in a home: its grammar, and the home's words in it. Immutable; any thread
+ * may listen by it.
+ */
+public final class Language {
+  private final Grammar grammar;
+  private final Lexicon lexicon;
+  private final RuleIndex rules;
+  private final Set<String> grammarWords;
+  private final Tokens tokens;
+
+  private Language(Grammar own, Home home) {
+    this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
+    this.lexicon = new LexiconOfHome(home, own).read();
+    this.rules = new RuleIndex(grammar);
+    this.grammarWords = HeardWords.wordsOf(grammar);
+    this.tokens = new Tokens(own.spellings());
+  }
+
+  /**
+   * A shipped language.
+   *
+   * @param tag such as {@code en}
+   */
+  public static Language of(Home home, String tag) {
+    return of(home, GrammarReader.read(shipped(tag), tag + ".grammar"));
+  }
+
+  /** A language by its grammar. */
+  public static Language of(Home home, Grammar grammar) {
+    return new Language(grammar, home);
+  }
+
+  private static String shipped(String tag) {
+    try (InputStream stream = Language.class.getResourceAsStream(tag + ".grammar")) {
+      if (stream == null) {
+        throw new IllegalArgumentException("There is no grammar for the language " + tag + ".");
+      }
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException("The grammar of " + tag + " cannot be read.", e);
+    }
+  }
+
+  /** Listens to one utterance. */
+  public Listening listen(Situation situation) {
+    return new Listening(
+        grammar,
+        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon)),
+        situation);
+  }
+
+  /** Understands a whole utterance. */
+  public Understanding understand(String utterance, Situation situation) {
+    Listening listening = listen(situation);
+    words(utterance).forEach(listening::hear);
+    return listening.end(utterance);
+  }
+
+  /** The words of a text. */
+  public List<String> words(String text) {
+    return tokens.of(text);
+  }
+
+  /** All words of the home. */
+  public Lexicon lexicon() {
+    return lexicon;
+  }
+
+  public Grammar grammar() {
+    return grammar;
+  }
+}

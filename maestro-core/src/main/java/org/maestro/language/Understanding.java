@@ -1,0 +1,69 @@
+package org.maestro.language;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.language.hearing.Heard;
+import org.maestro.language.meaning.Meaning;
+import org.maestro.language.reference.Discourse;
+import org.maestro.sl.Content;
+import org.maestro.sl.Term;
+
+/**
+ * What an utterance was understood to be.
+ *
+ * @param message what is to be sent; empty when nothing is to be done
+ * @param question what is asked back
+ * @param reply what is said otherwise
+ * @param heard each word and what became of it
+ * @param meanings of all readings, the best first
+ * @param began what could be begun before the end
+ * @param coverage the share of words that had a place, 0 to 1
+ */
+public record Understanding(
+    String utterance,
+    Optional<Content> message,
+    Optional<String> question,
+    Optional<String> reply,
+    List<Heard> heard,
+    List<Meaning> meanings,
+    List<Begun> began,
+    double coverage) {
+
+  /**
+   * What may be begun while words are still to come.
+   *
+   * @param after the word after which it was understood
+   */
+  public record Begun(String after, Content message) {}
+
+  public Understanding {
+    heard = List.copyOf(heard);
+    meanings = List.copyOf(meanings);
+    began = List.copyOf(began);
+  }
+
+  /** The words that no lexicon has. */
+  public List<String> unknown() {
+    return heard.stream()
+        .filter(word -> word.fate() == Heard.Fate.UNKNOWN)
+        .map(Heard::word)
+        .toList();
+  }
+
+  /** What was spoken of, after what was spoken of before. */
+  public Discourse discourse(Discourse before) {
+    return meanings.stream()
+        .findFirst()
+        .map(
+            best -> {
+              List<Term.Name> latest = new ArrayList<>(best.mentioned());
+              List<String> kinds = new ArrayList<>(best.classes());
+              Collections.reverse(latest);
+              Collections.reverse(kinds);
+              return before.with(latest, kinds);
+            })
+        .orElse(before);
+  }
+}

@@ -1,0 +1,201 @@
+package org.maestro.language.chart;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.language.grammar.Rule;
+import org.maestro.language.grammar.Symbol;
+
+/**
+ * The chart of one utterance. Grows by a column with each word that fits, and is cut back when
+ * words are taken back. Time for a word grows with the number of rules that are under way, not with
+ * that of the rules there are. Not safe for threads.
+ */
+public final class Chart {
+  /** So many readings of what was said so far are made at most. */
+  private static final int PARTIAL = 24;
+
+  private final RuleIndex rules;
+  private final WordEntries lexicon;
+  private final String start;
+  private final List<Column> columns = new ArrayList<>();
+  private final List<String> words = new ArrayList<>();
+
+  public Chart(RuleIndex rules, WordEntries lexicon) {
+    this(rules, lexicon, Grammar.START);
+  }
+
+  /**
+   * A chart of another category than whole utterances, such as that of an answer.
+   *
+   * @param start the category
+   */
+  public Chart(RuleIndex rules, WordEntries lexicon, String start) {
+    this.rules = rules;
+    this.lexicon = lexicon;
+    this.start = start;
+    Column first = new Column(rules);
+    first.predict(start);
+    columns.add(first);
+  }
+
+  /** How many words it holds. */
+  public int size() {
+    return words.size();
+  }
+
+  /** The words it holds. */
+  public List<String> words() {
+    return List.copyOf(words);
+  }
+
+  /**
+   * Takes one more word.
+   *
+   * @return false: it does not fit, nor would it begin several words that do; the chart is as it
+   *     was
+   */
+  public boolean extend(String word) {
+    words.add(word);
+    Column next = new Column(rules);
+    columns.add(next);
+    Symbol literal = new Symbol.Word(word);
+    Column last = columns.get(columns.size() - 2);
+    for (Derivation waiting : last.awaiting(literal)) {
+      advance(waiting, Form.leaf(word), 0);
+    }
+    begin(literal, columns.size() - 2, Form.leaf(word), 0);
+    for (WordEntries.Entry entry : lexicon.endingWith(words)) {
+      int origin = words.size() - entry.words();
+      if (origin >= 0 && columns.get(origin).predicts(entry.category())) {
+        complete(entry.category(), origin, entry.meaning(), 0);
+      }
+    }
+    return !next.isEmpty() || beginsAnEntry();
+  }
+
+  private boolean beginsAnEntry() {
+    for (int from = words.size() - 1; from >= 0; from--) {
+      if (words.size() - from > lexicon.longest()) {
+        return false;
+      }
+      if (lexicon.isBeginning(words.subList(from, words.size()), columns.get(from)::predicts)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Forgets all but the first words. */
+  public void cut(int size) {
+    while (words.size() > size) {
+      words.remove(words.size() - 1);
+      columns.remove(columns.size() - 1);
+    }
+  }
+
+  private void begin(Symbol first, int origin, Form form, int penalty) {
+    Column from = columns.get(origin);
+    for (Rule rule : rules.beginningWith(first)) {
+      if (from.predicts(rule.category())) {
+        advance(Derivation.begun(rule, origin), form, penalty);
+      }
+    }
+  }
+
+  private void advance(Derivation derivation, Form form, int penalty) {
+    Derivation advanced = derivation.advanced(form, penalty);
+    if (!advanced.isComplete()) {
+      columns.get(columns.size() - 1).add(advanced);
+    } else {
+      complete(advanced.rule().category(), advanced.origin(), advanced.form(), advanced.penalty());
+    }
+  }
+
+  private void complete(String category, int origin, Form form, int penalty) {
+    Column last = columns.get(columns.size() - 1);
+    if (!last.add(new Column.Part(category, origin), form, penalty)) {
+      return;
+    }
+    Symbol symbol = new Symbol.Category(category);
+    for (Derivation waiting : columns.get(origin).awaiting(symbol)) {
+      advance(waiting, form, penalty);
+    }
+    begin(symbol, origin, form, penalty);
+  }
+
+  /** The readings of all words as a whole utterance, the usual ones first. */
+  public List<Reading> complete() {
+    return columns.get(columns.size() - 1).readings(start, 0).stream()
+        .sorted(Comparator.comparingInt(Reading::penalty))
+        .toList();
+  }
+
+  /**
+   * The readings of what was said so far, those of whole utterances first; what is still to be said
+   * is a hole.
+   */
+  public List<Reading> partial() {
+    List<Reading> found = new ArrayList<>(complete());
+    for (Derivation derivation : columns.get(columns.size() - 1).all()) {
+      climb(derivation, derivation.form(), derivation.penalty(), 0, found);
+    }
+    return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
+  }
+
+  private void climb(
+      Derivation derivation, Form form, int penalty, int depth, List<Reading> found) {
+    if (found.size() >= PARTIAL || depth > 24) {
+      return;
+    }
+    if (derivation.origin() == 0 && derivation.rule().category().equals(start)) {
+      found.add(new Reading(form, penalty));
+    }
+    Column origin = columns.get(derivation.origin());
+    Symbol own = new Symbol.Category(derivation.rule().category());
+    for (Derivation waiting : origin.awaiting(own)) {
+      Derivation through = waiting.advanced(form, penalty);
+      climb(through, through.form(), through.penalty(), depth + 1, found);
+    }
+    for (Rule rule : rules.beginningWith(own)) {
+      if (origin.predicts(rule.category()) && !rule.category().equals(own(own))) {
+        Derivation through = Derivation.begun(rule, derivation.origin()).advanced(form, penalty);
+        climb(through, through.form(), through.penalty(), depth + 1, found);
+      }
+    }
+  }
+
+  private static String own(Symbol category) {
+    return ((Symbol.Category) category).name();
+  }
+
+  /** Whether a word of this category could come next. */
+  public boolean predicts(String category) {
+    return columns.get(columns.size() - 1).predicts(category);
+  }
+
+  /** Categories of the lexicon of which a word could come next. */
+  public Set<String> predictedEntries() {
+    Set<String> predicted = new TreeSet<>(lexicon.categories());
+    predicted.retainAll(columns.get(columns.size() - 1).predicted());
+    return predicted;
+  }
+
+  /** Words of the grammar that could come next. */
+  public Set<String> predictedWords() {
+    Column last = columns.get(columns.size() - 1);
+    Set<String> next = new TreeSet<>();
+    last.awaited().forEach(symbol -> wordOf(symbol).ifPresent(next::add));
+    last.predicted().forEach(category -> next.addAll(rules.firstWords(category)));
+    return next;
+  }
+
+  private static Optional<String> wordOf(Symbol symbol) {
+    return symbol instanceof Symbol.Word word ? Optional.of(word.text()) : Optional.empty();
+  }
+}

@@ -1,0 +1,90 @@
+package org.maestro.language.chart;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.grammar.Symbol;
+
+/** What is known after a word: rules that go on here, and categories that end here. */
+final class Column {
+  /** So many derivations of the same part are kept: those that came first, the usual ones. */
+  private static final int KEPT = 12;
+
+  private final Map<Symbol, List<Derivation>> awaiting = new HashMap<>();
+  private final Map<Part, List<Reading>> complete = new HashMap<>();
+  private final Map<Place, Integer> kept = new HashMap<>();
+  private final Set<String> predicted = new HashSet<>();
+  private final RuleIndex rules;
+
+  /** A category that began in a column and ends here. */
+  record Part(String category, int origin) {}
+
+  private record Place(Object rule, int dot, int origin) {}
+
+  Column(RuleIndex rules) {
+    this.rules = rules;
+  }
+
+  void predict(String category) {
+    if (!predicted.contains(category)) {
+      predicted.addAll(rules.leftCorners(category));
+    }
+  }
+
+  boolean predicts(String category) {
+    return predicted.contains(category);
+  }
+
+  Set<String> predicted() {
+    return predicted;
+  }
+
+  /** Notes a rule that goes on here; false when there are enough of them. */
+  boolean add(Derivation derivation) {
+    Place place = new Place(derivation.rule(), derivation.dot(), derivation.origin());
+    if (kept.merge(place, 1, Integer::sum) > KEPT) {
+      return false;
+    }
+    Symbol awaited = derivation.awaited();
+    awaiting.computeIfAbsent(awaited, a -> new ArrayList<>()).add(derivation);
+    if (awaited instanceof Symbol.Category category) {
+      predict(category.name());
+    }
+    return true;
+  }
+
+  /** Notes what a category means that ends here; false when that is known, or there are enough. */
+  boolean add(Part part, Form form, int penalty) {
+    List<Reading> readings = complete.computeIfAbsent(part, p -> new ArrayList<>());
+    if (readings.size() >= KEPT
+        || readings.stream().anyMatch(one -> one.form().equals(form) && one.penalty() <= penalty)) {
+      return false;
+    }
+    readings.add(new Reading(form, penalty));
+    return true;
+  }
+
+  List<Derivation> awaiting(Symbol symbol) {
+    return awaiting.getOrDefault(symbol, List.of());
+  }
+
+  List<Derivation> all() {
+    return awaiting.values().stream().flatMap(List::stream).toList();
+  }
+
+  Set<Symbol> awaited() {
+    return awaiting.keySet();
+  }
+
+  List<Reading> readings(String category, int origin) {
+    return complete.getOrDefault(new Part(category, origin), List.of());
+  }
+
+  boolean isEmpty() {
+    return awaiting.isEmpty() && complete.isEmpty();
+  }
+}

@@ -1,0 +1,28 @@
+package org.maestro.language.chart;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.maestro.language.grammar.Form;
+
+/** What words are in a lexicon: by their category, with what they mean. */
+public interface WordEntries {
+  /**
+   * One or several words that are one symbol of the grammar.
+   *
+   * @param words so many words at the end of those asked for
+   */
+  record Entry(String category, int words, Form meaning) {}
+
+  /** The entries that the last words are. */
+  List<Entry> endingWith(List<String> words);
+
+  /** Whether these are the first of more words that are an entry of such a category. */
+  boolean isBeginning(List<String> words, Predicate<String> categories);
+
+  /** Of how many words the longest entry is. */
+  int longest();
+
+  /** All categories of entries. */
+  Set<String> categories();
+}

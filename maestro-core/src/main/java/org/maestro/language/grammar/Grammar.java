@@ -1,0 +1,61 @@
+package org.maestro.language.grammar;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * A language's grammar. Immutable.
+ *
+ * @param language its tag, such as {@code en}
+ * @param rules in the order in which they are preferred
+ * @param numbers words for numbers, with their values
+ * @param times words that multiply the number before them, with their values
+ * @param lists other words by the list's name: {@code filler}, {@code article}, {@code repair}
+ * @param phrases what is said, by the phrase's name, with places in braces
+ * @param spellings words that are written otherwise first, such as can't
+ */
+public record Grammar(
+    String language,
+    List<Rule> rules,
+    Inflection inflection,
+    Map<String, Double> numbers,
+    Map<String, Double> times,
+    Map<String, Set<List<String>>> lists,
+    Map<String, String> phrases,
+    Map<String, String> spellings) {
+  /** The category of whole utterances. */
+  public static final String START = "Utterance";
+
+  public Grammar {
+    rules = List.copyOf(rules);
+    numbers = Map.copyOf(numbers);
+    times = Map.copyOf(times);
+    lists = Map.copyOf(lists);
+    phrases = Map.copyOf(phrases);
+    spellings = Map.copyOf(spellings);
+  }
+
+  /** The same grammar with more rules after its own. */
+  public Grammar with(List<Rule> others) {
+    List<Rule> all = new ArrayList<>(rules);
+    all.addAll(others);
+    return new Grammar(language, all, inflection, numbers, times, lists, phrases, spellings);
+  }
+
+  /** The words of a list; none when there is no such list. */
+  public Set<List<String>> list(String name) {
+    return lists.getOrDefault(name, Set.of());
+  }
+
+  /** A phrase as it is said. */
+  public String phrase(String name) {
+    String phrase = phrases.get(name);
+    if (phrase == null) {
+      throw new IllegalStateException(
+          "The grammar of %s has no phrase %s.".formatted(language, name));
+    }
+    return phrase;
+  }
+}

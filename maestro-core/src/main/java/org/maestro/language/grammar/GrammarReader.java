@@ -1,0 +1,231 @@
+package org.maestro.language.grammar;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+
+/**
+ * Reads a grammar's file, line by line. A rule is {@code Category = item item -> (form label)},
+ * where an item is a word, {@code one/other}, a Category, {@code label:Category}, and may end in
+ * {@code ?} when it need not be said; {@code !2} at the end is a penalty. Other lines begin with a
+ * keyword.
+ */
+public final class GrammarReader {
+  private static final Pattern RULE =
+      Pattern.compile("([A-Z]\\w*)\\s+=\\s+(.*?)(?:\\s+->\\s+(.*?))?(?:\\s+!(\\d+))?");
+
+  private final String file;
+  private final List<Rule> rules = new ArrayList<>();
+  private final Map<String, List<Inflection.Ending>> endings = new LinkedHashMap<>();
+  private final Map<String, Map<String, String>> irregular = new LinkedHashMap<>();
+  private final Map<String, Double> numbers = new HashMap<>();
+  private final Map<String, Double> times = new HashMap<>();
+  private final Map<String, Set<List<String>>> lists = new HashMap<>();
+  private final Map<String, String> phrases = new HashMap<>();
+  private final Map<String, String> spellings = new HashMap<>();
+  private String language = "";
+  private int line;
+
+  private GrammarReader(String file) {
+    this.file = file;
+  }
+
+  /**
+   * The grammar of a text.
+   *
+   * @param file how faults call it
+   * @throws GrammarFaultException when a line cannot be read
+   */
+  public static Grammar read(String text, String file) {
+    GrammarReader reader = new GrammarReader(file);
+    for (String written : text.split("\n", -1)) {
+      reader.line++;
+      String content = written.replaceFirst("(^|\\s)#\\s.*$", "").strip();
+      if (!content.isEmpty()) {
+        reader.take(content);
+      }
+    }
+    return new Grammar(
+        reader.language,
+        reader.rules,
+        new Inflection(reader.endings, reader.irregular),
+        reader.numbers,
+        reader.times,
+        reader.lists,
+        reader.phrases,
+        reader.spellings);
+  }
+
+  private void take(String content) {
+    Matcher rule = RULE.matcher(content);
+    if (rule.matches()) {
+      int penalty = rule.group(4) == null ? 0 : Integer.parseInt(rule.group(4));
+      rule(rule.group(1), rule.group(2), rule.group(3) == null ? "" : rule.group(3), penalty);
+      return;
+    }
+    int blank = content.indexOf(' ');
+    String keyword = blank < 0 ? content : content.substring(0, blank);
+    String rest = blank < 0 ? "" : content.substring(blank + 1).strip();
+    switch (keyword) {
+      case "language" -> language = rest;
+      case "ending" -> ending(rest);
+      case "irregular" -> irregular(rest);
+      case "number" -> pair(rest, (word, value) -> numbers.put(word, number(value)));
+      case "times" -> pair(rest, (word, value) -> times.put(word, number(value)));
+      case "spelling" -> pair(rest, spellings::put);
+      case "phrase" -> pair(rest, phrases::put);
+      case "list" -> list(rest);
+      default ->
+          throw fault(
+              "begins with " + keyword,
+              "write a rule such as Act = v:Vp -> (do v), or language, ending, irregular, number,"
+                  + " times, list, spelling or phrase");
+    }
+  }
+
+  private GrammarFaultException fault(String problem, String cure) {
+    return new GrammarFaultException(file, line, problem, cure);
+  }
+
+  private void pair(String rest, java.util.function.BiConsumer<String, String> taken) {
+    String[] sides = rest.split("\\s*=\\s*", 2);
+    if (sides.length < 2) {
+      throw fault("has no = in it", "write the word, = and what it is");
+    }
+    taken.accept(sides[0], sides[1]);
+  }
+
+  private double number(String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw fault(text + " is no number", "write one such as 20");
+    }
+  }
+
+  private void list(String rest) {
+    pair(
+        rest,
+        (name, words) -> {
+          Set<List<String>> entries = lists.computeIfAbsent(name, n -> new LinkedHashSet<>());
+          for (String entry : words.split("\\s*,\\s*")) {
+            entries.add(List.of(entry.split("\\s+")));
+          }
+        });
+  }
+
+  private void ending(String rest) {
+    String[] parts = rest.split("\\s+");
+    if (parts.length < 2 || parts.length > 3) {
+      throw fault("is no ending", "write its form, a pattern and what replaces it: ing e$ ing");
+    }
+    try {
+      endings
+          .computeIfAbsent(parts[0], form -> new ArrayList<>())
+          .add(new Inflection.Ending(Pattern.compile(parts[1]), parts.length == 3 ? parts[2] : ""));
+    } catch (PatternSyntaxException e) {
+      throw fault(parts[1] + " is no pattern", "write a regular expression such as e$");
+    }
+  }
+
+  private void irregular(String rest) {
+    pair(
+        rest,
+        (form, words) -> {
+          for (String entry : words.split("\\s*,\\s*")) {
+            String[] sides = entry.split("\\s+");
+            if (sides.length != 2) {
+              throw fault(entry + " is no pair of words", "write put put");
+            }
+            irregular.computeIfAbsent(form, f -> new HashMap<>()).put(sides[0], sides[1]);
+          }
+        });
+  }
+
+  private void rule(String category, String items, String template, int penalty) {
+    List<Item> read = Arrays.stream(items.split("\\s+")).map(this::item).toList();
+    Set<String> labels = new LinkedHashSet<>();
+    read.stream().map(Item::label).filter(label -> !label.isEmpty()).forEach(labels::add);
+    Template meaning =
+        template.isEmpty()
+            ? silent(labels)
+            : Template.of(new FormText(template, this::fault).form(), labels);
+    expand(
+        read,
+        0,
+        new ArrayList<>(),
+        chosen ->
+            rules.add(
+                new Rule(
+                    category,
+                    chosen.stream().map(Choice::symbol).toList(),
+                    chosen.stream().map(Choice::label).toList(),
+                    meaning,
+                    penalty)));
+  }
+
+  /** Without a form, a rule means what its only category means, or nothing of interest. */
+  private Template silent(Set<String> labels) {
+    if (labels.size() > 1) {
+      throw fault("does not say what it means", "write -> and a form after the items");
+    }
+    return labels.isEmpty()
+        ? new Template.Node("word", List.of())
+        : new Template.Label(labels.iterator().next());
+  }
+
+  /** What is written in the place of one symbol. */
+  private record Item(String label, List<Symbol> alternatives, boolean optional) {}
+
+  private record Choice(String label, Symbol symbol) {}
+
+  private Item item(String written) {
+    boolean optional = written.endsWith("?") && written.length() > 1;
+    String text = optional ? written.substring(0, written.length() - 1) : written;
+    int colon = text.indexOf(':');
+    String label = colon > 0 ? text.substring(0, colon) : "";
+    String symbols = colon > 0 ? text.substring(colon + 1) : text;
+    List<Symbol> alternatives =
+        Arrays.stream(symbols.split("/")).filter(one -> !one.isEmpty()).map(this::symbol).toList();
+    if (alternatives.isEmpty()) {
+      throw fault(written + " is no item", "write a word or a Category");
+    }
+    String named =
+        label.isEmpty() && alternatives.get(0) instanceof Symbol.Category ? symbols : label;
+    return new Item(colon > 0 ? label : named, alternatives, optional);
+  }
+
+  private Symbol symbol(String text) {
+    return Character.isUpperCase(text.charAt(0))
+        ? new Symbol.Category(text)
+        : new Symbol.Word(text.replace('_', ' ').strip());
+  }
+
+  private static void expand(
+      List<Item> items, int at, List<Choice> chosen, Consumer<List<Choice>> found) {
+    if (at == items.size()) {
+      if (!chosen.isEmpty()) {
+        found.accept(List.copyOf(chosen));
+      }
+      return;
+    }
+    Item item = items.get(at);
+    for (Symbol symbol : item.alternatives()) {
+      chosen.add(new Choice(item.label(), symbol));
+      expand(items, at + 1, chosen, found);
+      chosen.remove(chosen.size() - 1);
+    }
+    if (item.optional()) {
+      expand(items, at + 1, chosen, found);
+    }
+  }
+}

@@ -1,0 +1,284 @@
+package org.maestro.language.hearing;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.maestro.language.chart.Chart;
+import org.maestro.language.chart.Reading;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.language.grammar.Rule;
+import org.maestro.language.grammar.Symbol;
+import org.maestro.language.lexicon.Lexicon;
+
+/**
+ * The words of one utterance while it is heard. A word that does not fit is a filler, the beginning
+ * of a repair, a repetition, misheard, or stays unplaced: then nothing is understood until the
+ * speaker corrects it. Not safe for threads.
+ */
+public final class HeardWords {
+  private final Grammar grammar;
+  private final Lexicon lexicon;
+  private final Supplier<Chart> fresh;
+  private final Set<String> grammarWords;
+  private final List<Heard> heard = new ArrayList<>();
+  private final List<String> withdrawn = new ArrayList<>();
+  private Chart chart;
+  private List<String> held = List.of();
+  private boolean repairing;
+  private boolean hesitating;
+  private boolean blocked;
+  private Optional<Resumption> resumption = Optional.empty();
+
+  /**
+   * Where the speaker went on after a repair.
+   *
+   * @param before the words until then
+   * @param column after how many of them he went on
+   * @param since the words after it
+   */
+  private record Resumption(List<String> before, int column, List<String> since) {}
+
+  public HeardWords(
+      Grammar grammar, Set<String> grammarWords, Lexicon lexicon, Supplier<Chart> fresh) {
+    this.grammar = grammar;
+    this.grammarWords = grammarWords;
+    this.lexicon = lexicon;
+    this.fresh = fresh;
+    this.chart = fresh.get();
+  }
+
+  /** The words with which rules of a grammar speak. */
+  public static Set<String> wordsOf(Grammar grammar) {
+    Set<String> words = new HashSet<>();
+    for (Rule rule : grammar.rules()) {
+      rule.symbols().stream()
+          .filter(Symbol.Word.class::isInstance)
+          .forEach(symbol -> words.add(((Symbol.Word) symbol).text()));
+    }
+    words.addAll(grammar.numbers().keySet());
+    words.addAll(grammar.times().keySet());
+    return words;
+  }
+
+  /** Takes the next word. */
+  public void take(String word) {
+    List<String> sequence = new ArrayList<>(held);
+    sequence.add(word);
+    if (!held.isEmpty()) {
+      if (isListed("repair", sequence)) {
+        held = List.of();
+        note(sequence, Heard.Fate.REPAIR);
+        repair();
+        return;
+      }
+      if (isListed("filler", sequence)) {
+        held = List.of();
+        note(sequence, Heard.Fate.FILLER);
+        hesitating = true;
+        return;
+      }
+      if (begins(sequence)) {
+        held = sequence;
+        return;
+      }
+      List<String> before = held;
+      held = List.of();
+      before.forEach(one -> place(one, false));
+    }
+    place(word, true);
+  }
+
+  /** Nothing more is said. */
+  public void end() {
+    List<String> before = held;
+    held = List.of();
+    before.forEach(one -> place(one, false));
+    if (!blocked && chart.complete().isEmpty()) {
+      resumption.ifPresent(this::goOnEarlier);
+    }
+  }
+
+  private void repair() {
+    repairing = true;
+    blocked = false;
+  }
+
+  private boolean isListed(String list, List<String> words) {
+    return grammar.list(list).contains(words);
+  }
+
+  /** Whether more words are to come before it is known what these are. */
+  private boolean begins(List<String> words) {
+    return List.of("repair", "filler").stream()
+        .flatMap(name -> grammar.list(name).stream())
+        .anyMatch(
+            entry -> entry.size() > words.size() && entry.subList(0, words.size()).equals(words));
+  }
+
+  private void note(List<String> words, Heard.Fate fate) {
+    words.forEach(word -> heard.add(new Heard(word, fate)));
+  }
+
+  private void place(String word, boolean mayHold) {
+    if (!blocked && extend(word)) {
+      heard.add(new Heard(word, Heard.Fate.TAKEN));
+      taken(word);
+      return;
+    }
+    List<String> alone = List.of(word);
+    if (mayHold && begins(alone)) {
+      held = alone;
+      return;
+    }
+    if (isListed("repair", alone)) {
+      heard.add(new Heard(word, Heard.Fate.REPAIR));
+      repair();
+    } else if (isListed("filler", alone)) {
+      heard.add(new Heard(word, Heard.Fate.FILLER));
+      hesitating = true;
+    } else if (blocked) {
+      heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
+    } else if (mayResume(word) && goOn(word)) {
+      heard.add(new Heard(word, Heard.Fate.TAKEN));
+      repairing = false;
+      hesitating = false;
+    } else if (resumption.isPresent() && goOnEarlier(word)) {
+      heard.add(new Heard(word, Heard.Fate.TAKEN));
+    } else {
+      misheard(word);
+    }
+  }
+
+  private boolean mayResume(String word) {
+    List<String> words = chart.words();
+    boolean isStutter = !words.isEmpty() && words.get(words.size() - 1).equals(word);
+    return repairing || isStutter || hesitating && words.contains(word);
+  }
+
+  private boolean extend(String word) {
+    if (chart.extend(word)) {
+      return true;
+    }
+    chart.cut(chart.size() - 1);
+    return false;
+  }
+
+  private void taken(String word) {
+    repairing = false;
+    hesitating = false;
+    resumption =
+        resumption.map(
+            last -> {
+              List<String> since = new ArrayList<>(last.since());
+              since.add(word);
+              return new Resumption(last.before(), last.column(), List.copyOf(since));
+            });
+  }
+
+  /** Goes on after the last word after which this one fits; what was said after it is withdrawn. */
+  private boolean goOn(String word) {
+    List<String> before = chart.words();
+    for (int column = before.size() - 1; column >= 0; column--) {
+      chart.cut(column);
+      if (extend(word)) {
+        withdraw(before.subList(column, before.size()));
+        resumption = Optional.of(new Resumption(before, column, List.of(word)));
+        return true;
+      }
+    }
+    restore(before);
+    return false;
+  }
+
+  /** What was said since the last repair fits better after an earlier word. */
+  private boolean goOnEarlier(String word) {
+    Resumption last = resumption.orElseThrow();
+    List<String> since = new ArrayList<>(last.since());
+    since.add(word);
+    return goOnEarlier(last, since, false);
+  }
+
+  private boolean goOnEarlier(Resumption last) {
+    return goOnEarlier(last, last.since(), true);
+  }
+
+  private boolean goOnEarlier(Resumption last, List<String> since, boolean whole) {
+    List<String> now = chart.words();
+    for (int column = last.column() - 1; column >= 0; column--) {
+      restore(last.before().subList(0, column));
+      if (since.stream().allMatch(this::extend) && (!whole || !chart.complete().isEmpty())) {
+        withdraw(last.before().subList(column, last.before().size()));
+        resumption = Optional.of(new Resumption(last.before(), column, List.copyOf(since)));
+        return true;
+      }
+    }
+    restore(now);
+    return false;
+  }
+
+  private void withdraw(List<String> words) {
+    withdrawn.clear();
+    withdrawn.addAll(words);
+  }
+
+  private void restore(List<String> words) {
+    chart = fresh.get();
+    words.forEach(chart::extend);
+  }
+
+  private boolean isKnown(String word) {
+    return lexicon.knows(word) || grammarWords.contains(word);
+  }
+
+  private void misheard(String word) {
+    if (!isKnown(word)) {
+      Set<String> all = new HashSet<>(grammarWords);
+      all.addAll(lexicon.words());
+      List<String> fitting = Nearby.of(word, all).stream().filter(this::fits).toList();
+      if (fitting.size() == 1) {
+        chart.extend(fitting.get(0));
+        heard.add(new Heard(word, Heard.Fate.MISHEARD, Optional.of(fitting.get(0))));
+        taken(fitting.get(0));
+        return;
+      }
+    }
+    blocked = true;
+    heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
+  }
+
+  private boolean fits(String word) {
+    boolean fits = extend(word);
+    if (fits) {
+      chart.cut(chart.size() - 1);
+    }
+    return fits;
+  }
+
+  /** The chart of what was meant to be said; nothing fits it while a word stays unplaced. */
+  public Chart chart() {
+    return chart;
+  }
+
+  /** Whether a word was heard that fits nothing. */
+  public boolean isBlocked() {
+    return blocked;
+  }
+
+  /** What became of each word. */
+  public List<Heard> heard() {
+    return List.copyOf(heard);
+  }
+
+  /** The words that the last repair took back. */
+  public List<String> withdrawn() {
+    return List.copyOf(withdrawn);
+  }
+
+  /** The readings of all that was said; none while a word stays unplaced. */
+  public List<Reading> readings() {
+    return blocked ? List.of() : chart.complete();
+  }
+}

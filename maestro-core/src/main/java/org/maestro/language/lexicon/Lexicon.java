@@ -1,0 +1,173 @@
+package org.maestro.language.lexicon;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import org.maestro.language.chart.WordEntries;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.sl.SlPrinter;
+
+/**
+ * The entries of a home in a language. Immutable; numbers are entries too, and each word is one of
+ * the category {@link #ANY}.
+ */
+public final class Lexicon implements WordEntries {
+  /** A name of a thing: {@code (name Cup)}. */
+  public static final String NAME = "Name";
+
+  /** A class: {@code (noun Lamp)}. */
+  public static final String NOUN = "Noun";
+
+  /** A class of which there are several: {@code (noun Lamp)}. */
+  public static final String NOUNS = "Nouns";
+
+  /** What a thing is like: {@code (adj colour red)}. */
+  public static final String ADJECTIVE = "Adjective";
+
+  /** A relation: {@code (prep in inside)}. */
+  public static final String PREPOSITION = "Preposition";
+
+  /** A number that can be spoken of: {@code (fluent volume)}. */
+  public static final String FLUENT = "Fluent";
+
+  /** More of a number. */
+  public static final String MORE = "More";
+
+  /** Less of a number. */
+  public static final String LESS = "Less";
+
+  /** What is asked for with how. */
+  public static final String HOW_MUCH = "HowMuch";
+
+  /** A state: {@code (state lampOn applianceOn)}. */
+  public static final String STATE = "State";
+
+  /** A script: {@code (script goodNight)}. */
+  public static final String SCRIPT = "Script";
+
+  /** A number. */
+  public static final String NUMBER = "Number";
+
+  /** A time of day in figures, such as 10:30. */
+  public static final String TIME = "Time";
+
+  /** Whichever word. */
+  public static final String ANY = "Any";
+
+  private static final Pattern FIGURES_OF_TIME = Pattern.compile("([01]?\\d|2[0-3]):[0-5]\\d");
+  private static final int LONGEST_NUMBER = 6;
+  private static final Set<String> CATEGORIES =
+      Set.of(
+          NAME,
+          NOUN,
+          NOUNS,
+          ADJECTIVE,
+          PREPOSITION,
+          FLUENT,
+          MORE,
+          LESS,
+          HOW_MUCH,
+          STATE,
+          SCRIPT,
+          NUMBER,
+          TIME,
+          ANY);
+
+  private final Map<List<String>, Map<String, List<Form>>> entries;
+  private final Map<List<String>, Set<String>> beginnings = new HashMap<>();
+  private final NumberWords numbers;
+  private final Set<String> words = new HashSet<>();
+  private final int longest;
+
+  Lexicon(Map<List<String>, Map<String, List<Form>>> entries, Grammar grammar) {
+    this.entries = entries;
+    this.numbers = new NumberWords(grammar.numbers(), grammar.times());
+    int most = LONGEST_NUMBER;
+    for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {
+      List<String> written = entry.getKey();
+      words.addAll(written);
+      most = Math.max(most, written.size());
+      for (int size = 1; size < written.size(); size++) {
+        beginnings
+            .computeIfAbsent(List.copyOf(written.subList(0, size)), b -> new HashSet<>())
+            .addAll(entry.getValue().keySet());
+      }
+    }
+    this.longest = most;
+  }
+
+  @Override
+  public List<Entry> endingWith(List<String> words) {
+    List<Entry> found = new ArrayList<>();
+    int most = Math.min(longest, words.size());
+    found.add(new Entry(ANY, 1, Form.leaf(words.get(words.size() - 1))));
+    if (FIGURES_OF_TIME.matcher(words.get(words.size() - 1)).matches()) {
+      found.add(new Entry(TIME, 1, Form.leaf(words.get(words.size() - 1))));
+    }
+    for (int size = 1; size <= most; size++) {
+      List<String> last = words.subList(words.size() - size, words.size());
+      int taken = size;
+      entries
+          .getOrDefault(last, Map.of())
+          .forEach(
+              (category, forms) ->
+                  forms.forEach(form -> found.add(new Entry(category, taken, form))));
+      OptionalDouble number = size <= LONGEST_NUMBER ? numbers.value(last) : OptionalDouble.empty();
+      if (number.isPresent()) {
+        found.add(new Entry(NUMBER, size, Form.leaf(SlPrinter.print(number.getAsDouble()))));
+      }
+    }
+    return found;
+  }
+
+  @Override
+  public boolean isBeginning(List<String> words, Predicate<String> categories) {
+    return beginnings.getOrDefault(words, Set.of()).stream().anyMatch(categories);
+  }
+
+  @Override
+  public int longest() {
+    return longest;
+  }
+
+  @Override
+  public Set<String> categories() {
+    return CATEGORIES;
+  }
+
+  /** Whether the word is one of an entry. */
+  public boolean knows(String word) {
+    return words.contains(word) || numbers.value(List.of(word)).isPresent();
+  }
+
+  /** Each word that stands in an entry. */
+  public Set<String> words() {
+    return Collections.unmodifiableSet(words);
+  }
+
+  /** All entries as text, with what they mean, by category. */
+  public Map<String, Map<String, Set<String>>> listed() {
+    Map<String, Map<String, Set<String>>> listed = new TreeMap<>();
+    entries.forEach(
+        (written, meanings) ->
+            meanings.forEach(
+                (category, forms) ->
+                    forms.forEach(
+                        form ->
+                            listed
+                                .computeIfAbsent(category, c -> new TreeMap<>())
+                                .computeIfAbsent(String.join(" ", written), w -> new TreeSet<>())
+                                .add(form.toString()))));
+    return listed;
+  }
+}

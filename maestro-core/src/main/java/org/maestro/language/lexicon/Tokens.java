@@ -1,0 +1,90 @@
+package org.maestro.language.lexicon;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/** Takes texts apart into words as lexicon and grammar write them. Immutable. */
+public final class Tokens {
+  /** What stands for a word that was broken off. */
+  public static final String CUT_OFF = "-";
+
+  /** Longer words than any language has are cut; nobody means them. */
+  private static final int LONGEST_WORD = 64;
+
+  private static final Pattern BLANKS = Pattern.compile("[\\s\\p{Cntrl}\\p{Cf}]+");
+  private static final Pattern NUMBER_AND_UNIT = Pattern.compile("(?<=\\d)(?=[\\p{L}%°])");
+  private static final Pattern ENDS = Pattern.compile("[.!?;:\"“”„()\\[\\]{}]+$");
+  private static final Pattern BEGINNINGS = Pattern.compile("^[\"“”„(\\[{¿¡]+");
+
+  private final Map<String, String> spellings;
+
+  /**
+   * @param spellings words that are written otherwise first
+   */
+  public Tokens(Map<String, String> spellings) {
+    this.spellings = Map.copyOf(spellings);
+  }
+
+  /** The words of a text, in small letters. */
+  public List<String> of(String text) {
+    List<String> words = new ArrayList<>();
+    String clean =
+        text.replace('\u2019', '\'')
+            .replace("\u2014", " - ")
+            .replace("\u2013", " - ")
+            .replace("...", " - ")
+            .replace("\u2026", " - ")
+            .replace("--", " - ");
+    for (String written : BLANKS.split(clean.strip())) {
+      take(written, words);
+    }
+    return words;
+  }
+
+  private void take(String written, List<String> words) {
+    String word = BEGINNINGS.matcher(written).replaceFirst("").toLowerCase(Locale.ROOT);
+    word = ENDS.matcher(word).replaceFirst("");
+    boolean comma = word.endsWith(",");
+    word = word.replaceFirst(",+$", "");
+    word = ENDS.matcher(word).replaceFirst("");
+    if (word.length() > LONGEST_WORD) {
+      word = word.substring(0, LONGEST_WORD);
+    }
+    boolean cutOff = word.length() > 1 && word.endsWith(CUT_OFF);
+    word = cutOff ? word.substring(0, word.length() - 1) : word;
+    if (!word.isEmpty()) {
+      spelled(word, words);
+    }
+    if (comma) {
+      words.add(",");
+    }
+    if (cutOff) {
+      words.add(CUT_OFF);
+    }
+  }
+
+  private void spelled(String word, List<String> words) {
+    String other = spellings.get(word);
+    if (other != null) {
+      words.addAll(List.of(other.split(" ")));
+      return;
+    }
+    if (word.endsWith("'s")) {
+      spelled(word.substring(0, word.length() - 2), words);
+      words.add("'s");
+      return;
+    }
+    if (word.endsWith("s'") && word.length() > 2) {
+      words.add(word.substring(0, word.length() - 1));
+      words.add("'s");
+      return;
+    }
+    for (String part : NUMBER_AND_UNIT.split(word)) {
+      String known = spellings.getOrDefault(part, part);
+      words.addAll(List.of(known.split(" ")));
+    }
+  }
+}

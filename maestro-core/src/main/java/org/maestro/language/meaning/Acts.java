@@ -1,0 +1,287 @@
+package org.maestro.language.meaning;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.NounPhrases;
+import org.maestro.language.reference.Situation;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/** What an utterance's reading means. Bound to one reading in one situation. */
+final class Acts {
+  private final Situation situation;
+  private final References references;
+  private final Measures measures;
+  private final States states;
+  private final Frames frames;
+  private final Questions questions;
+
+  Acts(Situation situation, References references) {
+    this.situation = situation;
+    this.references = references;
+    this.measures = new Measures(situation, references);
+    this.states = new States(situation, references);
+    this.frames = new Frames(situation, references, states);
+    this.questions = new Questions(situation, references, states, measures, this);
+  }
+
+  static Acts in(Situation situation) {
+    return new Acts(situation, new References(new NounPhrases(situation)));
+  }
+
+  References references() {
+    return references;
+  }
+
+  Frames frames() {
+    return frames;
+  }
+
+  /** {@code (initCNP (:goal formula))}. */
+  static Content goal(Formula formula) {
+    return new Content(
+        "initCNP",
+        List.of(
+            new Content.Argument.Named("goal", List.of(new Content.Argument.OfFormula(formula)))));
+  }
+
+  /** The message of an act. */
+  Optional<Content> message(Form act) {
+    return switch (act.head()) {
+      case "do" -> {
+        references.wishing();
+        yield command(act.part(0));
+      }
+      case "instead", "yes" -> act.parts().isEmpty() ? Optional.empty() : message(act.part(0));
+      case "wish" -> wish(act);
+      case "refrain" -> refrain(act.part(0));
+      case "whenever" -> whenever(act.part(0), act.part(1));
+      case "timed" -> timed(act.part(0), act.part(1));
+      case "tell" -> tell(act.part(0));
+      case "nevermind" -> Optional.of(cancel("question"));
+      case "cancel" -> Optional.of(cancel("last"));
+      case "undo" -> Optional.of(cancel("undo"));
+      default -> questions.message(act);
+    };
+  }
+
+  private static Content cancel(String what) {
+    return new Content("cancel", List.of(new Content.Argument.Named(what, List.of())));
+  }
+
+  private Optional<Content> wish(Form act) {
+    Optional<List<Term>> who = references.terms(act.part(0), "");
+    if (who.isEmpty() || who.get().size() != 1 || !(who.get().get(0) instanceof Term.Name name)) {
+      references.die();
+      return Optional.empty();
+    }
+    return new Acts(situation.spokenBy(name.text()), references).command(act.part(1));
+  }
+
+  /** The message of a command. */
+  Optional<Content> command(Form verb) {
+    return switch (verb.head()) {
+      case "frame" -> frames.message(verb);
+      case "both" -> both(verb);
+      case "run" -> Optional.of(run(verb.part(0)));
+      case "keep" ->
+          states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
+      case "hold" ->
+          measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
+      default -> formula(verb).map(Acts::goal);
+    };
+  }
+
+  private Optional<Formula> formula(Form verb) {
+    return switch (verb.head()) {
+      case "assign" -> measures.assigned(verb.part(0), verb.part(1));
+      case "raise" -> measures.changed(verb.part(0), verb.part(1), 1);
+      case "lower" -> measures.changed(verb.part(0), verb.part(1), -1);
+      case "more" -> measures.more(verb.part(0), 1);
+      case "less" -> measures.more(verb.part(0), -1);
+      case "become" -> states.bringing(verb.part(0), verb.part(1));
+      case "ensure" -> ensured(verb.part(0));
+      default -> {
+        references.die();
+        yield Optional.empty();
+      }
+    };
+  }
+
+  private Optional<Formula> ensured(Form clause) {
+    Form state = clause.part(1);
+    return state.is("rel") || state.is("here")
+        ? states.at(clause.part(0), state)
+        : states.bringing(clause.part(0), state);
+  }
+
+  private static Content run(Form script) {
+    return new Content(
+        "perform",
+        List.of(
+            new Content.Argument.Named(
+                "script", List.of(new Content.Argument.OfTerm(new Term.Name(script.text(0)))))));
+  }
+
+  private Optional<Content> both(Form verb) {
+    Optional<Content> first = command(verb.part(0));
+    Optional<Content> second = command(verb.part(1));
+    if (first.isEmpty() || second.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Formula> one = goalOf(first.get());
+    Optional<Formula> other = goalOf(second.get());
+    if (one.isPresent() && other.isPresent()) {
+      return Optional.of(goal(References.conjunction(List.of(one.get(), other.get()))));
+    }
+    List<Content.Argument> parts = new ArrayList<>();
+    for (Content part : List.of(first.get(), second.get())) {
+      if (part.operator().equals("seq")) {
+        parts.addAll(part.arguments());
+      } else {
+        parts.add(new Content.Argument.Nested(part));
+      }
+    }
+    return Optional.of(new Content("seq", parts));
+  }
+
+  /** The formula of a message that states a goal. */
+  static Optional<Formula> goalOf(Content content) {
+    if (content.operator().equals("initCNP")
+        && content.arguments().size() == 1
+        && content.arguments().get(0) instanceof Content.Argument.Named named
+        && named.arguments().size() == 1
+        && named.arguments().get(0) instanceof Content.Argument.OfFormula ofFormula) {
+      return Optional.of(ofFormula.formula());
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Content> refrain(Form verb) {
+    return command(verb)
+        .flatMap(Acts::goalOf)
+        .map(
+            formula ->
+                new Content(
+                    "cancel",
+                    List.of(
+                        new Content.Argument.Named(
+                            "goal", List.of(new Content.Argument.OfFormula(formula))))));
+  }
+
+  private Optional<Content> whenever(Form condition, Form act) {
+    Optional<Formula> when = condition(condition);
+    Optional<Content> then = message(act);
+    if (when.isEmpty() || then.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Content(
+            "whenever",
+            List.of(
+                new Content.Argument.OfFormula(when.get()),
+                new Content.Argument.Nested(then.get()))));
+  }
+
+  /** What is so when a condition holds. */
+  Optional<Formula> condition(Form condition) {
+    switch (condition.head()) {
+      case "be":
+        return states.holding(condition.part(0), condition.part(1));
+      case "happens":
+        return frames.holding(condition.part(0));
+      case "compares":
+        return measures.compared(
+            condition.part(0),
+            condition.part(1).is("over") ? Formula.Relation.GREATER : Formula.Relation.LESS,
+            condition.part(2));
+      default:
+        references.die();
+        return Optional.empty();
+    }
+  }
+
+  private Optional<Content> timed(Form when, Form act) {
+    Optional<Content> then = message(act);
+    if (then.isEmpty()) {
+      return then;
+    }
+    Content.Argument nested = new Content.Argument.Nested(then.get());
+    switch (when.head()) {
+      case "at":
+        return at(when.part(0), Optional.empty(), nested);
+      case "every":
+        return at(when.part(1), Optional.of(when.text(0)), nested);
+      case "after":
+        return Optional.of(new Content("after", List.of(seconds(when.part(0)), nested)));
+      case "until":
+        return clock(when.part(0))
+            .map(
+                minute ->
+                    new Content(
+                        "until",
+                        List.of(new Content.Argument.Named("at", List.of(minute)), nested)));
+      case "untilafter":
+        return Optional.of(
+            new Content(
+                "until",
+                List.of(
+                    new Content.Argument.Named("after", List.of(seconds(when.part(0)))), nested)));
+      case "untilthat":
+        return condition(when.part(0))
+            .map(
+                formula ->
+                    new Content("until", List.of(new Content.Argument.OfFormula(formula), nested)));
+      default:
+        references.die();
+        return Optional.empty();
+    }
+  }
+
+  private Optional<Content> at(Form clock, Optional<String> every, Content.Argument nested) {
+    return clock(clock)
+        .map(
+            minute -> {
+              List<Content.Argument> arguments = new ArrayList<>(List.of(minute));
+              every.ifPresent(
+                  day ->
+                      arguments.add(
+                          new Content.Argument.Named(
+                              "every", List.of(new Content.Argument.OfTerm(new Term.Name(day))))));
+              arguments.add(nested);
+              return new Content("at", arguments);
+            });
+  }
+
+  private static Content.Argument seconds(Form span) {
+    return new Content.Argument.OfTerm(new Term.Number(Values.seconds(span)));
+  }
+
+  private Optional<Content.Argument> clock(Form clock) {
+    OptionalInt minute = Values.minuteOfDay(clock, situation.minuteOfDay());
+    if (minute.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return Optional.of(new Content.Argument.OfTerm(new Term.Number(minute.getAsInt())));
+  }
+
+  private Optional<Content> tell(Form clause) {
+    Optional<Formula> said =
+        clause.is("be") ? states.holding(clause.part(0), clause.part(1)) : frames.holding(clause);
+    return said.map(
+        formula ->
+            new Content(
+                "inform",
+                List.of(
+                    new Content.Argument.Named(
+                        "facts",
+                        List.of(
+                            new Content.Argument.OfTerm(
+                                new Term.Text(org.maestro.sl.SlPrinter.print(formula))))))));
+  }
+}

@@ -1,0 +1,32 @@
+package org.maestro.language.meaning;
+
+import java.util.List;
+import org.maestro.language.grammar.Form;
+import org.maestro.ontology.wording.Construction;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Term;
+
+/** Why something that was said cannot be done yet. */
+public sealed interface Doubt {
+  /** A role was not said. */
+  record Missing(Construction construction, Construction.Role role) implements Doubt {}
+
+  /** One of several may be meant. */
+  record Which(Form said, List<Term.Name> candidates) implements Doubt {
+    public Which {
+      candidates = List.copyOf(candidates);
+    }
+  }
+
+  /** There is nothing that is so. */
+  record NoSuch(Form said) implements Doubt {}
+
+  /** The number from which to reckon is not known. */
+  record NotKnown(Expression.Fluent fluent) implements Doubt {}
+
+  /** It is understood, and asked back. */
+  record Confirm(String construction) implements Doubt {}
+
+  /** It was understood, and nothing is to be done about it. */
+  record Nothing(String why) implements Doubt {}
+}

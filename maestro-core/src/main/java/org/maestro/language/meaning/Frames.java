@@ -1,0 +1,322 @@
+package org.maestro.language.meaning;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.Reference;
+import org.maestro.language.reference.Relations;
+import org.maestro.language.reference.Situation;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.wording.Construction;
+import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/** What constructions mean with what fills their roles. Bound to one reading. */
+final class Frames {
+  private static final String GOAL = "goal";
+
+  private final Situation situation;
+  private final References references;
+  private final States states;
+
+  Frames(Situation situation, References references, States states) {
+    this.situation = situation;
+    this.references = references;
+    this.states = states;
+  }
+
+  /** The construction of a frame. */
+  Construction construction(Form frame) {
+    String name = frame.text(0);
+    return situation.home().wording().constructions().stream()
+        .filter(one -> one.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException("No construction is called " + name + "."));
+  }
+
+  /** The message of a frame. */
+  Optional<Content> message(Form frame) {
+    Construction construction = construction(frame);
+    if (construction.means().isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    Map<String, Form> fillers = fillers(frame);
+    if (!isFilled(construction, fillers)) {
+      return Optional.empty();
+    }
+    Content means = construction.means().get();
+    Optional<Content.Argument> goal = goal(means);
+    if (goal.isEmpty()) {
+      return plain(construction, fillers, means);
+    }
+    return formula(construction, fillers, goal.get()).map(formula -> Acts.goal(formula));
+  }
+
+  /** What is so when the frame is told. */
+  Optional<Formula> holding(Form frame) {
+    Construction construction = construction(frame);
+    Map<String, Form> fillers = fillers(frame);
+    Optional<Content.Argument> said =
+        construction
+            .holdsWhen()
+            .<Content.Argument>map(Content.Argument.OfFormula::new)
+            .or(() -> construction.means().flatMap(Frames::goal));
+    if (said.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return isFilled(construction, fillers)
+        ? formula(construction, fillers, said.get())
+        : Optional.empty();
+  }
+
+  private static Map<String, Form> fillers(Form frame) {
+    Map<String, Form> fillers = new LinkedHashMap<>();
+    frame.parts().stream()
+        .filter(part -> part.is("role"))
+        .forEach(part -> fillers.put(part.text(0), part.part(1)));
+    return fillers;
+  }
+
+  private boolean isFilled(Construction construction, Map<String, Form> fillers) {
+    for (Construction.Role role : construction.roles()) {
+      Form filler = fillers.getOrDefault(role.name(), Form.HOLE);
+      if (filler.is("_") && !role.optional()) {
+        references.doubt(new Doubt.Missing(construction, role));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static Optional<Content.Argument> goal(Content means) {
+    return means.arguments().stream()
+        .filter(Content.Argument.Named.class::isInstance)
+        .map(Content.Argument.Named.class::cast)
+        .filter(named -> named.name().equals(GOAL) && named.arguments().size() == 1)
+        .map(named -> named.arguments().get(0))
+        .findFirst();
+  }
+
+  private Optional<Formula> formula(
+      Construction construction, Map<String, Form> fillers, Content.Argument said) {
+    return bound(
+        construction,
+        fillers,
+        0,
+        Map.of(),
+        terms -> {
+          if (said instanceof Content.Argument.OfFormula ofFormula) {
+            return spoken(ofFormula.formula(), terms);
+          }
+          if (said instanceof Content.Argument.OfTerm ofTerm
+              && ofTerm.term() instanceof Term.Variable variable) {
+            return relation(construction, variable.name(), fillers, terms);
+          }
+          references.die();
+          return Optional.empty();
+        });
+  }
+
+  private Optional<Formula> spoken(Formula formula, Map<String, Term> terms) {
+    Map<String, Term> all = new HashMap<>(terms);
+    situation.speaker().ifPresent(name -> all.putIfAbsent("speaker", new Term.Name(name)));
+    situation.here().ifPresent(name -> all.putIfAbsent("here", new Term.Name(name)));
+    situation.self().ifPresent(name -> all.putIfAbsent("self", new Term.Name(name)));
+    return Optional.of(new Substitution(all).apply(formula));
+  }
+
+  /** Binds the roles one after the other, over all that each refers to. */
+  private Optional<Formula> bound(
+      Construction construction,
+      Map<String, Form> fillers,
+      int at,
+      Map<String, Term> terms,
+      Function<Map<String, Term>, Optional<Formula>> said) {
+    if (at == construction.roles().size()) {
+      return said.apply(terms);
+    }
+    Construction.Role role = construction.roles().get(at);
+    Form filler = fillers.getOrDefault(role.name(), Form.HOLE);
+    if (role.type().equals(Construction.Role.RELATION)) {
+      return bound(construction, fillers, at + 1, terms, said);
+    }
+    if (filler.is("_")) {
+      Map<String, Term> more = new HashMap<>(terms);
+      role.usually().flatMap(this::usual).ifPresent(term -> more.put(role.name(), term));
+      return bound(construction, fillers, at + 1, more, said);
+    }
+    Optional<Term> value = Values.of(filler);
+    Function<Term, Optional<Formula>> next =
+        term -> {
+          Map<String, Term> more = new HashMap<>(terms);
+          more.put(role.name(), term);
+          return bound(construction, fillers, at + 1, more, said);
+        };
+    return value.isPresent() ? next.apply(value.get()) : references.over(filler, role.type(), next);
+  }
+
+  private Optional<Term> usual(Term term) {
+    if (!(term instanceof Term.Variable variable)) {
+      return Optional.of(term);
+    }
+    Optional<String> name =
+        switch (variable.name()) {
+          case "speaker" -> situation.speaker();
+          case "here" -> situation.here();
+          case "self" -> situation.self();
+          default -> Optional.empty();
+        };
+    return name.map(Term.Name::new);
+  }
+
+  private Optional<Formula> relation(
+      Construction construction, String role, Map<String, Form> fillers, Map<String, Term> terms) {
+    Form where = fillers.getOrDefault(role, Form.HOLE);
+    Optional<Term> thing =
+        construction.roles().stream()
+            .filter(one -> one.name().equals(role))
+            .findFirst()
+            .flatMap(Construction.Role::relates)
+            .flatMap(
+                related ->
+                    related.startsWith("?")
+                        ? usual(new Term.Variable(related.substring(1)))
+                        : Optional.ofNullable(terms.get(related)));
+    if (thing.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return where.is("here") || where.is("there")
+        ? situation
+            .here()
+            .flatMap(
+                here ->
+                    goalAt(states.places(), thing.get(), new Reference.Single(new Term.Name(here))))
+        : goalAt(where, thing.get());
+  }
+
+  private Optional<Formula> goalAt(Form where, Term thing) {
+    if (!where.is("rel")) {
+      references.die();
+      return Optional.empty();
+    }
+    List<Reference> broken = new ArrayList<>();
+    List<PredicateDeclaration> settable =
+        states.predicates(where.part(0)).stream().filter(Relations::isBroughtAbout).toList();
+    for (PredicateDeclaration predicate : settable) {
+      Reference place = references.phrases().resolve(where.part(1), Relations.typeOf(predicate, 1));
+      if (place instanceof Reference.Mistyped || !mayBeFirst(predicate, thing)) {
+        continue;
+      }
+      if (place instanceof Reference.None) {
+        broken.add(place);
+        continue;
+      }
+      return goalAt(List.of(predicate), thing, place);
+    }
+    if (broken.isEmpty()) {
+      references.die();
+    } else {
+      references.over(broken.get(0), term -> Optional.empty());
+    }
+    return Optional.empty();
+  }
+
+  private boolean mayBeFirst(PredicateDeclaration predicate, Term thing) {
+    return !thing.isGround() || references.phrases().relations().fits(predicate, 0, thing);
+  }
+
+  private Optional<Formula> goalAt(
+      List<PredicateDeclaration> predicates, Term thing, Reference place) {
+    return predicates.stream()
+        .filter(Relations::isBroughtAbout)
+        .filter(predicate -> mayBeFirst(predicate, thing))
+        .findFirst()
+        .flatMap(
+            predicate ->
+                references.over(
+                    place,
+                    where ->
+                        Optional.of(new Formula.Atom(predicate.name(), List.of(thing, where)))));
+  }
+
+  /** A message that is no goal: what fills the roles stands in it as it is. */
+  private Optional<Content> plain(
+      Construction construction, Map<String, Form> fillers, Content means) {
+    Map<String, List<Term>> terms = new HashMap<>();
+    for (Construction.Role role : construction.roles()) {
+      Form filler = fillers.getOrDefault(role.name(), Form.HOLE);
+      if (filler.is("_")) {
+        role.usually()
+            .flatMap(this::usual)
+            .ifPresent(term -> terms.put(role.name(), List.of(term)));
+        continue;
+      }
+      Optional<List<Term>> value =
+          Values.of(filler).map(List::of).or(() -> references.terms(filler, role.type()));
+      if (value.isEmpty()) {
+        return Optional.empty();
+      }
+      terms.put(role.name(), value.get());
+    }
+    situation.speaker().ifPresent(name -> terms.put("speaker", List.of(new Term.Name(name))));
+    situation.here().ifPresent(name -> terms.put("here", List.of(new Term.Name(name))));
+    situation.self().ifPresent(name -> terms.put("self", List.of(new Term.Name(name))));
+    return Optional.of(filled(means, terms));
+  }
+
+  private static Content filled(Content content, Map<String, List<Term>> terms) {
+    return new Content(
+        content.operator(),
+        content.arguments().stream().flatMap(argument -> filled(argument, terms)).toList());
+  }
+
+  private static Stream<Content.Argument> filled(
+      Content.Argument argument, Map<String, List<Term>> terms) {
+    if (argument instanceof Content.Argument.OfTerm ofTerm
+        && ofTerm.term() instanceof Term.Variable variable
+        && terms.containsKey(variable.name())) {
+      return terms.getOrDefault(variable.name(), List.of()).stream()
+          .map(Content.Argument.OfTerm::new);
+    } else if (argument instanceof Content.Argument.OfTerm ofTerm
+        && ofTerm.term() instanceof Term.Text text) {
+      return Stream.of(new Content.Argument.OfTerm(new Term.Text(written(text.value(), terms))));
+    } else if (argument instanceof Content.Argument.Named named) {
+      return Stream.of(
+          new Content.Argument.Named(
+              named.name(),
+              named.arguments().stream().flatMap(one -> filled(one, terms)).toList()));
+    } else if (argument instanceof Content.Argument.Nested nested) {
+      return Stream.of(new Content.Argument.Nested(filled(nested.content(), terms)));
+    } else if (argument instanceof Content.Argument.OfFormula ofFormula) {
+      Map<String, Term> single = new HashMap<>();
+      terms.forEach((name, values) -> single.put(name, values.get(0)));
+      return Stream.of(
+          new Content.Argument.OfFormula(new Substitution(single).apply(ofFormula.formula())));
+    }
+    return Stream.of(argument);
+  }
+
+  /** A text in which variables stand, such as that of facts. */
+  private static String written(String text, Map<String, List<Term>> terms) {
+    String filled = text;
+    for (Map.Entry<String, List<Term>> entry : terms.entrySet()) {
+      filled =
+          filled.replaceAll(
+              "\\?" + java.util.regex.Pattern.quote(entry.getKey()) + "\\b",
+              java.util.regex.Matcher.quoteReplacement(
+                  org.maestro.sl.SlPrinter.print(entry.getValue().get(0))));
+    }
+    return filled;
+  }
+}

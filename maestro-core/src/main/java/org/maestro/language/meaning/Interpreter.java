@@ -1,0 +1,100 @@
+package org.maestro.language.meaning;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.language.chart.Reading;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.Situation;
+import org.maestro.sl.Content;
+
+/** Interprets readings in a situation, the best first. Stateless. */
+public final class Interpreter {
+  /** So many readings are interpreted at most. */
+  private static final int READINGS = 48;
+
+  private final Situation situation;
+
+  public Interpreter(Situation situation) {
+    this.situation = situation;
+  }
+
+  /**
+   * What the readings mean: first those whose references hold, of these the usual wordings. Those
+   * that cannot be meant at all are left out.
+   */
+  public List<Meaning> of(List<Reading> readings) {
+    List<Meaning> meanings = new ArrayList<>();
+    for (Reading reading : readings.subList(0, Math.min(READINGS, readings.size()))) {
+      meaning(reading).ifPresent(meanings::add);
+    }
+    meanings.sort(Comparator.comparingInt(Meaning::broken).thenComparingInt(Meaning::penalty));
+    return meanings;
+  }
+
+  private Optional<Meaning> meaning(Reading reading) {
+    Acts acts = Acts.in(situation);
+    Form form = reading.form();
+    Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
+    References references = acts.references();
+    if (references.isDead()
+        || message.isEmpty() && references.doubts().isEmpty() && !isBare(form)) {
+      return Optional.empty();
+    }
+    Optional<Doubt> doubt = references.doubts().stream().findFirst();
+    return Optional.of(
+        new Meaning(
+            form,
+            doubt.isPresent() ? Optional.empty() : message,
+            doubt.or(() -> confirmation(form, acts)),
+            kind(form),
+            references.broken(),
+            reading.penalty(),
+            isEarly(form, acts),
+            references.phrases().mentioned(),
+            references.phrases().kinds()));
+  }
+
+  /** What says nothing by itself: an answer, a greeting. */
+  private static boolean isBare(Form form) {
+    return switch (form.head()) {
+      case "answer", "also", "greet", "thank", "no", "howlong", "doing", "able", "done" -> true;
+      case "yes" -> form.parts().isEmpty() || form.part(0).is("np") || form.part(0).is("span");
+      default -> false;
+    };
+  }
+
+  private static String kind(Form form) {
+    return switch (form.head()) {
+      case "do", "wish", "instead", "refrain" -> "command";
+      case "whenever", "timed" -> "rule";
+      case "tell" -> "statement";
+      case "answer", "also", "yes", "no" -> "answer";
+      case "nevermind", "cancel", "undo" -> "cancel";
+      case "greet", "thank" -> "social";
+      default -> "question";
+    };
+  }
+
+  private static Optional<Doubt> confirmation(Form form, Acts acts) {
+    return frame(form)
+        .filter(frame -> acts.frames().construction(frame).confirm())
+        .map(frame -> new Doubt.Confirm(frame.text(0)));
+  }
+
+  private static boolean isEarly(Form form, Acts acts) {
+    return frame(form)
+        .map(frame -> acts.frames().construction(frame).early())
+        .orElse(form.is("do") && !form.part(0).is("run"));
+  }
+
+  private static Optional<Form> frame(Form form) {
+    if (form.is("frame")) {
+      return Optional.of(form);
+    }
+    return form.is("do") || form.is("instead") || form.is("yes") || form.is("both")
+        ? form.parts().stream().map(Interpreter::frame).flatMap(Optional::stream).findFirst()
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,345 @@
+package org.maestro.language.meaning;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.NounPhrases;
+import org.maestro.language.reference.Reference;
+import org.maestro.language.reference.Relations;
+import org.maestro.language.reference.Situation;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.ontology.wording.Measure;
+import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/** Numbers that are set, raised, lowered and asked for. Bound to one reading. */
+final class Measures {
+  private static final double HUNDRED = 100;
+  private static final double MORE_THAN_BEFORE = 1.5;
+  private static final double ROUNDED = 1e9;
+
+  private final Situation situation;
+  private final Vocabulary vocabulary;
+  private final NounPhrases phrases;
+  private final References references;
+
+  Measures(Situation situation, References references) {
+    this.situation = situation;
+    this.vocabulary = situation.home().vocabulary();
+    this.references = references;
+    this.phrases = references.phrases();
+  }
+
+  /** A number, and of what it is. */
+  record Of(PredicateDeclaration fluent, Reference whose) {}
+
+  /** {@code (assign measure amount)}: the goal that it be so much. */
+  Optional<Formula> assigned(Form measure, Form amount) {
+    return of(measure, amount)
+        .flatMap(
+            of ->
+                references.over(
+                    of.whose(),
+                    term -> value(of, amount).map(value -> equal(of.fluent(), term, value))));
+  }
+
+  /** The goal that it be more, or less, by so much or by a step. */
+  Optional<Formula> changed(Form measure, Form by, int sign) {
+    return of(measure, by)
+        .flatMap(
+            of ->
+                references.over(
+                    of.whose(),
+                    term -> {
+                      OptionalDouble now = now(of, term);
+                      return now.isEmpty()
+                          ? Optional.empty()
+                          : Optional.of(
+                              equal(
+                                  of.fluent(),
+                                  term,
+                                  within(of, now.getAsDouble() + sign * step(of, by, now))));
+                    }));
+  }
+
+  /** The goal that there be half as much again, or half of it. */
+  Optional<Formula> more(Form measure, int sign) {
+    return of(measure, Form.HOLE)
+        .flatMap(
+            of ->
+                references.over(
+                    of.whose(),
+                    term -> {
+                      OptionalDouble now = now(of, term);
+                      if (now.isEmpty()) {
+                        return Optional.empty();
+                      }
+                      double factor = sign > 0 ? MORE_THAN_BEFORE : 1 / MORE_THAN_BEFORE;
+                      return Optional.of(
+                          new Formula.Comparison(
+                              sign > 0 ? Formula.Relation.AT_LEAST : Formula.Relation.AT_MOST,
+                              fluent(of.fluent(), term),
+                              number(rounded(now.getAsDouble() * factor))));
+                    }));
+  }
+
+  /** A comparison with an amount. */
+  Optional<Formula> compared(Form measure, Formula.Relation relation, Form amount) {
+    return of(measure, amount)
+        .flatMap(
+            of ->
+                references.over(
+                    of.whose(),
+                    term ->
+                        value(of, amount)
+                            .map(
+                                value ->
+                                    new Formula.Comparison(
+                                        relation, fluent(of.fluent(), term), number(value)))));
+  }
+
+  /** The fluents that are asked for, of each thing one. */
+  List<Expression.Fluent> asked(Form measure) {
+    return of(measure, Form.HOLE).stream()
+        .flatMap(
+            of -> {
+              if (of.whose() instanceof Reference.Single single) {
+                return Stream.of(fluent(of.fluent(), single.term()));
+              } else if (of.whose() instanceof Reference.Several several) {
+                return several.terms().stream().map(term -> fluent(of.fluent(), term));
+              }
+              references.over(of.whose(), term -> Optional.empty());
+              return Stream.of();
+            })
+        .toList();
+  }
+
+  private static Expression.Fluent fluent(PredicateDeclaration fluent, Term term) {
+    return new Expression.Fluent(fluent.name(), List.of(term));
+  }
+
+  private static Expression number(double value) {
+    return new Expression.OfTerm(new Term.Number(value));
+  }
+
+  private static Formula equal(PredicateDeclaration fluent, Term term, double value) {
+    return new Formula.Comparison(Formula.Relation.EQUAL, fluent(fluent, term), number(value));
+  }
+
+  private OptionalDouble now(Of of, Term term) {
+    Expression.Fluent fluent = fluent(of.fluent(), term);
+    OptionalDouble now =
+        term.isGround() ? situation.facts().number(fluent) : OptionalDouble.empty();
+    if (now.isEmpty()) {
+      references.doubt(new Doubt.NotKnown(fluent));
+    }
+    return now;
+  }
+
+  private Measure measure(Of of) {
+    return Optional.ofNullable(situation.home().wording().measures().get(of.fluent().name()))
+        .orElseGet(
+            () ->
+                new Measure(
+                    of.fluent().name(),
+                    OptionalDouble.empty(),
+                    OptionalDouble.empty(),
+                    List.of(),
+                    List.of(),
+                    List.of()));
+  }
+
+  private Optional<Double> value(Of of, Form amount) {
+    OptionalDouble whole = measure(of).whole();
+    return switch (amount.head()) {
+      case "number" -> Optional.of(scaled(of, numeric(amount)));
+      case "percent" -> Optional.of(rounded(numeric(amount) * whole.orElse(HUNDRED) / HUNDRED));
+      case "points" -> Optional.of(scaled(of, numeric(amount)));
+      case "quantity" -> Optional.of(numeric(amount));
+      case "most" -> whole.isPresent() ? Optional.of(whole.getAsDouble()) : Optional.empty();
+      case "least" -> Optional.of(of.fluent().least().orElse(0));
+      default -> Optional.empty();
+    };
+  }
+
+  /** A lamp at fifty is half on: above the whole, a number is a percentage. */
+  private double scaled(Of of, double number) {
+    OptionalDouble whole = measure(of).whole();
+    return whole.isPresent() && whole.getAsDouble() <= 1 && number > whole.getAsDouble()
+        ? rounded(number * whole.getAsDouble() / HUNDRED)
+        : number;
+  }
+
+  private double step(Of of, Form by, OptionalDouble now) {
+    Measure measure = measure(of);
+    double step = measure.step().orElse(measure.whole().orElse(10) / 10);
+    return switch (by.head()) {
+      case "percent" -> now.orElse(0) * numeric(by) / HUNDRED;
+      case "number", "points" -> scaled(of, numeric(by));
+      case "quantity" -> numeric(by);
+      case "much" -> 2 * step;
+      default -> step;
+    };
+  }
+
+  private double within(Of of, double value) {
+    double least =
+        of.fluent().least().orElse(measure(of).whole().isPresent() ? 0 : -Double.MAX_VALUE);
+    double most = measure(of).whole().orElse(Double.MAX_VALUE);
+    return rounded(Math.max(least, Math.min(most, value)));
+  }
+
+  private static double rounded(double value) {
+    return Math.abs(value) < ROUNDED ? Math.round(value * ROUNDED) / ROUNDED : value;
+  }
+
+  private static double numeric(Form amount) {
+    return Double.parseDouble(amount.text(0));
+  }
+
+  /** Which number is spoken of, and of what. */
+  private Optional<Of> of(Form measure, Form amount) {
+    Form named = measure.part(0);
+    boolean isNamed =
+        named.is("fluent") || named.is("more") || named.is("less") || named.is("howMuch");
+    Form whose = isNamed ? measure.part(1) : named;
+    Optional<Of> first = Optional.empty();
+    for (PredicateDeclaration fluent : fluents(isNamed ? named : Form.HOLE, amount)) {
+      Reference reference = whose(fluent, whose);
+      if (reference instanceof Reference.Mistyped || reference instanceof Reference.Unsaid) {
+        continue;
+      }
+      Of of = new Of(fluent, reference);
+      if (!(reference instanceof Reference.None)) {
+        return Optional.of(of);
+      }
+      first = first.isPresent() ? first : Optional.of(of);
+    }
+    if (first.isEmpty()) {
+      references.die();
+    }
+    return first;
+  }
+
+  private List<PredicateDeclaration> fluents(Form named, Form amount) {
+    Stream<String> names =
+        named.is("_")
+            ? situation.home().wording().measures().entrySet().stream()
+                .filter(entry -> entry.getValue().whole().isPresent() || amount.is("quantity"))
+                .map(Map.Entry::getKey)
+            : named.parts().stream().map(Form::head);
+    return names
+        .map(vocabulary::predicate)
+        .flatMap(Optional::stream)
+        .filter(fluent -> fluent.fluent() && fluent.parameters().size() == 1)
+        .filter(fluent -> !amount.is("quantity") || isIn(fluent, amount.text(1)))
+        .toList();
+  }
+
+  private static boolean isIn(PredicateDeclaration fluent, String unit) {
+    return fluent.unit().isEmpty()
+        || fluent.unit().get().equals(unit)
+        || fluent.unit().get().equals("K") && unit.equals("DEG_C")
+        || fluent.unit().get().startsWith(unit);
+  }
+
+  private Reference whose(PredicateDeclaration fluent, Form whose) {
+    String type = Relations.typeOf(fluent, 0);
+    if (whose.is("_")) {
+      return unsaid(type);
+    }
+    boolean isPlace =
+        whose.is("rel")
+            || whose.is("here")
+            || whose.is("there")
+            || whose.is("everywhere")
+            || whose.is("from")
+            || whose.is("either");
+    if (!isPlace) {
+      Reference said = phrases.resolve(whose, type);
+      return said instanceof Reference.Mistyped ? within(whose, type) : said;
+    }
+    Reference place = place(whose, type);
+    return place instanceof Reference.Mistyped || place instanceof Reference.None
+        ? thingsAt(whose, type)
+        : place;
+  }
+
+  private Reference place(Form where, String type) {
+    if (where.is("here")) {
+      return situation
+          .here()
+          .filter(here -> phrases.relations().isA(new Term.Name(here), type))
+          .<Reference>map(here -> new Reference.Single(new Term.Name(here)))
+          .orElse(new Reference.Mistyped(where));
+    }
+    return where.is("rel") || where.is("from")
+        ? phrases.resolve(where.is("rel") ? where.part(1) : where.part(0), type)
+        : new Reference.Mistyped(where);
+  }
+
+  /** What is meant by the brightness in the kitchen: that of the lamps there. */
+  private Reference thingsAt(Form where, String type) {
+    return phrases.resolve(
+        Form.of("np", Form.leaf("all"), Form.of("at", Form.of("noun", Form.leaf(type)), where)),
+        type);
+  }
+
+  /** A thing of another kind: the place where it is, or what of the kind is there. */
+  private Reference within(Form whose, String type) {
+    Reference any = phrases.resolve(whose, "");
+    if (!(any instanceof Reference.Single single)) {
+      return new Reference.Mistyped(whose);
+    }
+    List<Term.Name> around =
+        situation.facts().individuals(type).stream()
+            .filter(
+                name ->
+                    phrases.relations().ofPlaces().stream()
+                        .anyMatch(
+                            p ->
+                                phrases.relations().fits(p, 0, single.term())
+                                        && phrases.relations().fits(p, 1, name)
+                                        && phrases
+                                            .relations()
+                                            .holds(
+                                                new Formula.Atom(
+                                                    p.name(), List.of(single.term(), name)),
+                                                Map.of())
+                                    || phrases.relations().fits(p, 0, name)
+                                        && phrases.relations().fits(p, 1, single.term())
+                                        && phrases
+                                            .relations()
+                                            .holds(
+                                                new Formula.Atom(
+                                                    p.name(), List.of(name, single.term())),
+                                                Map.of())))
+            .toList();
+    if (around.isEmpty()) {
+      return new Reference.Mistyped(whose);
+    }
+    return around.size() == 1
+        ? new Reference.Single(around.get(0))
+        : new Reference.Several(List.copyOf(around));
+  }
+
+  /** What was spoken of last, or is the only one here, or the place itself. */
+  private Reference unsaid(String type) {
+    Form it = Form.leaf("it");
+    Reference last = phrases.resolve(it, type);
+    if (!(last instanceof Reference.None)) {
+      return last;
+    }
+    Optional<String> here =
+        situation.here().filter(place -> phrases.relations().isA(new Term.Name(place), type));
+    if (here.isPresent()) {
+      return new Reference.Single(new Term.Name(here.get()));
+    }
+    return phrases.resolve(Form.of("np", Form.leaf("the"), Form.of("noun", Form.leaf(type))), type);
+  }
+}

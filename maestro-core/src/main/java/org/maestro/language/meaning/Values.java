@@ -1,0 +1,128 @@
+package org.maestro.language.meaning;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.maestro.language.grammar.Form;
+import org.maestro.sl.Term;
+
+/** Values that are said: numbers, time spans, times of day, words as they are. */
+final class Values {
+  private static final int NOON = 720;
+  private static final int DAY = 1440;
+  private static final int HOUR = 60;
+  private static final int HALF = 30;
+  private static final int QUARTER = 15;
+
+  private Values() {}
+
+  /** The value of an amount, a span or a text; empty for everything else. */
+  static Optional<Term> of(Form said) {
+    return switch (said.head()) {
+      case "number", "percent", "points", "quantity" ->
+          Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
+      case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
+      case "text" -> Optional.of(new Term.Text(text(said)));
+      default ->
+          said.parts().isEmpty() && !isReference(said.head())
+              ? Optional.of(new Term.Text(said.head()))
+              : Optional.empty();
+    };
+  }
+
+  private static boolean isReference(String head) {
+    return switch (head) {
+      case "it",
+          "them",
+          "him",
+          "speaker",
+          "self",
+          "everything",
+          "somebody",
+          "everybody",
+          "_",
+          "here",
+          "there",
+          "everywhere" ->
+          true;
+      default -> false;
+    };
+  }
+
+  private static String text(Form said) {
+    return said.is("text") ? text(said.part(0)) + " " + text(said.part(1)) : said.head();
+  }
+
+  /** A time span; seconds. */
+  static double seconds(Form span) {
+    if (span.is("plus")) {
+      return seconds(span.part(0)) + seconds(span.part(1));
+    }
+    double number = Double.parseDouble(span.text(0));
+    double more = span.parts().size() > 2 ? Double.parseDouble(span.text(2)) : 0;
+    return (number + more) * Double.parseDouble(span.text(1));
+  }
+
+  /**
+   * A time of day.
+   *
+   * @param now what the clock shows; of two times that are called the same the next is meant
+   * @return minutes after midnight; empty when there is no such time
+   */
+  static OptionalInt minuteOfDay(Form clock, OptionalInt now) {
+    switch (clock.head()) {
+      case "part":
+        return inPart(clock, now);
+      case "time":
+        return inDay(time(clock.text(0)));
+      case "timepm":
+        return inDay((time(clock.text(0)) % NOON) + NOON);
+      case "am":
+        return inDay(hours(clock) % NOON);
+      case "pm":
+        return inDay(hours(clock) % NOON + NOON);
+      case "half":
+        return next(hours(clock) + HALF, now);
+      case "pastquarter":
+        return next(hours(clock) + QUARTER, now);
+      case "toquarter":
+        return next(hours(clock) - QUARTER, now);
+      default:
+        return next(hours(clock), now);
+    }
+  }
+
+  private static int hours(Form clock) {
+    return (int) Math.round(Double.parseDouble(clock.text(0)) * HOUR);
+  }
+
+  private static int time(String written) {
+    String[] parts = written.split(":");
+    return parts.length == 2
+        ? Integer.parseInt(parts[0]) * HOUR + Integer.parseInt(parts[1])
+        : Integer.parseInt(written);
+  }
+
+  private static OptionalInt inDay(int minutes) {
+    return minutes >= 0 && minutes < DAY ? OptionalInt.of(minutes) : OptionalInt.empty();
+  }
+
+  private static OptionalInt next(int minutes, OptionalInt now) {
+    if (minutes > NOON + HOUR - 1 || now.isEmpty()) {
+      return inDay(minutes);
+    }
+    int morning = minutes % NOON;
+    int evening = morning + NOON;
+    boolean isEvening = now.getAsInt() >= morning && now.getAsInt() < evening;
+    return OptionalInt.of(isEvening ? evening : morning);
+  }
+
+  private static OptionalInt inPart(Form clock, OptionalInt now) {
+    boolean isMorning = clock.text(0).equals("morning");
+    if (clock.parts().size() < 2) {
+      return OptionalInt.of(
+          isMorning ? 8 * HOUR : clock.text(0).equals("evening") ? 20 * HOUR : NOON);
+    }
+    OptionalInt said = minuteOfDay(clock.part(1), now);
+    return said.isEmpty() ? said : OptionalInt.of(said.getAsInt() % NOON + (isMorning ? 0 : NOON));
+  }
+}

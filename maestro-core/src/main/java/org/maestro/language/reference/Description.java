@@ -1,0 +1,83 @@
+package org.maestro.language.reference;
+
+import java.util.List;
+import org.maestro.language.grammar.Form;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+
+/**
+ * What a nominal says of things: their class, or their names, and conditions over {@link #IT}.
+ *
+ * @param named those that are called so; empty when they are told by their class
+ * @param className "" for any
+ * @param conditions that formulas can say
+ * @param tests that only the situation can tell, such as which is the nearest
+ * @param placed whether it is said where they are
+ * @param everywhere whether it is said that wherever is meant
+ * @param nth of several, from 1 on, the last by -1; 0 when it is not said
+ */
+record Description(
+    List<Term.Name> named,
+    String className,
+    List<Formula> conditions,
+    List<Test> tests,
+    boolean placed,
+    boolean everywhere,
+    int nth) {
+  /** The variable of conditions. */
+  static final String IT = "x";
+
+  static final Term.Variable VARIABLE = new Term.Variable(IT);
+
+  /** A condition for which there is no formula. */
+  interface Test {
+    boolean holds(Term.Name candidate);
+  }
+
+  Description {
+    named = List.copyOf(named);
+    conditions = List.copyOf(conditions);
+    tests = List.copyOf(tests);
+  }
+
+  static Description ofClass(String name) {
+    return new Description(List.of(), name, List.of(), List.of(), false, false, 0);
+  }
+
+  static Description ofNames(Form names) {
+    return new Description(
+        names.parts().stream().map(part -> new Term.Name(part.head())).toList(),
+        "",
+        List.of(),
+        List.of(),
+        false,
+        false,
+        0);
+  }
+
+  Description with(Formula condition) {
+    return new Description(
+        named, className, added(conditions, condition), tests, placed, everywhere, nth);
+  }
+
+  Description with(Test test) {
+    return new Description(
+        named, className, conditions, added(tests, test), placed, everywhere, nth);
+  }
+
+  Description placedSomewhere() {
+    return new Description(named, className, conditions, tests, true, everywhere, nth);
+  }
+
+  Description anywhere() {
+    return new Description(named, className, conditions, tests, true, true, nth);
+  }
+
+  Description ordinal(int number) {
+    return new Description(named, className, conditions, tests, placed, everywhere, number);
+  }
+
+  private static <T> List<T> added(List<T> list, T one) {
+    return java.util.stream.Stream.concat(list.stream(), java.util.stream.Stream.of(one)).toList();
+  }
+}

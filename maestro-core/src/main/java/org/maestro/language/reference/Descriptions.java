@@ -1,0 +1,217 @@
+package org.maestro.language.reference;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.maestro.language.grammar.Form;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.wording.StateWord;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/** Reads what nominals say of things. Bound to one situation. */
+final class Descriptions {
+  private final Situation situation;
+  private final Relations relations;
+  private final NounPhrases phrases;
+
+  Descriptions(Situation situation, Relations relations, NounPhrases phrases) {
+    this.situation = situation;
+    this.relations = relations;
+    this.phrases = phrases;
+  }
+
+  /**
+   * What the nominal says.
+   *
+   * @return empty when something in it refers to nothing, or to nobody knows what
+   */
+  Optional<Description> of(Form nominal) {
+    return switch (nominal.head()) {
+      case "noun" -> Optional.of(Description.ofClass(nominal.text(0)));
+      case "name" -> Optional.of(Description.ofNames(nominal));
+      case "one" -> situation.discourse().classes().stream().findFirst().map(Description::ofClass);
+      case "mod" -> of(nominal.part(1)).map(head -> head.with(adjective(nominal.part(0))));
+      case "instate" -> of(nominal.part(1)).flatMap(head -> inState(head, nominal.part(0)));
+      case "at" -> of(nominal.part(0)).flatMap(head -> placed(head, nominal.part(1)));
+      case "beside", "of" -> of(nominal.part(1)).flatMap(head -> owned(head, nominal.part(0)));
+      case "nth" ->
+          of(nominal.part(1)).map(head -> head.ordinal((int) Double.parseDouble(nominal.text(0))));
+      case "other" -> of(nominal.part(0)).map(this::other);
+      case "_" -> Optional.of(Description.ofClass(""));
+      default -> Optional.empty();
+    };
+  }
+
+  private Description other(Description head) {
+    return situation.discourse().things().stream()
+        .filter(thing -> relations.isA(thing, head.className()))
+        .findFirst()
+        .map(
+            last ->
+                head.with(
+                    new Formula.Not(
+                        new Formula.Comparison(
+                            Formula.Relation.EQUAL,
+                            new org.maestro.sl.Expression.OfTerm(Description.VARIABLE),
+                            new org.maestro.sl.Expression.OfTerm(last)))))
+        .orElse(head);
+  }
+
+  private static Formula adjective(Form adjective) {
+    Term value =
+        adjective.text(2).equals("name")
+            ? new Term.Name(adjective.text(1))
+            : new Term.Text(adjective.text(1));
+    return new Formula.Atom(adjective.text(0), List.of(Description.VARIABLE, value));
+  }
+
+  private Optional<Description> inState(Description head, Form state) {
+    if (state.is("not")) {
+      return inStates(head, state.part(0)).map(holds -> head.with(new Formula.Not(holds)));
+    }
+    if (state.is("and")) {
+      return inState(head, state.part(0)).flatMap(both -> inState(both, state.part(1)));
+    }
+    return inStates(head, state).map(head::with);
+  }
+
+  private Optional<Formula> inStates(Description head, Form state) {
+    List<Formula> holding = new ArrayList<>();
+    for (StateWord word : situation.home().wording().states()) {
+      if (state.parts().contains(Form.leaf(word.name())) && mayBe(head, word.of())) {
+        holding.add(new Substitution(Map.of("it", Description.VARIABLE)).apply(word.holdsWhen()));
+      }
+    }
+    return holding.isEmpty()
+        ? Optional.empty()
+        : Optional.of(holding.size() == 1 ? holding.get(0) : new Formula.Or(holding));
+  }
+
+  private boolean mayBe(Description head, String className) {
+    return head.named().isEmpty()
+        ? head.className().isEmpty()
+            || situation.home().vocabulary().mayBeBoth(head.className(), className)
+        : head.named().stream().anyMatch(name -> relations.isA(name, className));
+  }
+
+  private Optional<Description> placed(Description head, Form where) {
+    switch (where.head()) {
+      case "here":
+        return situation
+            .here()
+            .map(here -> head.with(within(new Term.Name(here))).placedSomewhere());
+      case "there":
+        return phrases.lastPlace().map(place -> head.with(within(place)).placedSomewhere());
+      case "everywhere":
+        return Optional.of(head.anywhere());
+      case "either":
+        return either(head, where);
+      case "from":
+        return owned(head, where.part(0));
+      case "rel":
+        return related(head, where.part(0), where.part(1));
+      default:
+        return Optional.of(head);
+    }
+  }
+
+  private Optional<Description> either(Description head, Form where) {
+    Optional<Description> one = placed(head, where.part(0));
+    Optional<Description> other = placed(head, where.part(1));
+    if (one.isEmpty() || other.isEmpty()) {
+      return Optional.empty();
+    }
+    Description first = one.get();
+    Description second = other.get();
+    return Optional.of(
+        head.with(candidate -> phrases.isSo(first, candidate) || phrases.isSo(second, candidate))
+            .placedSomewhere());
+  }
+
+  private Description.Test within(Term place) {
+    return candidate -> relations.isIn(candidate, place);
+  }
+
+  private Optional<Description> related(Description head, Form preposition, Form phrase) {
+    List<PredicateDeclaration> fitting =
+        relations.named(preposition).stream()
+            .filter(
+                predicate ->
+                    head.named().isEmpty()
+                        ? relations.fits(predicate, 0, head.className())
+                        : head.named().stream()
+                            .anyMatch(name -> relations.fits(predicate, 0, name)))
+            .toList();
+    if (phrase.is("_")) {
+      return Optional.of(
+          head.with(
+              candidate ->
+                  fitting.stream()
+                      .anyMatch(predicate -> phrases.isRelatedToAnything(predicate, candidate))));
+    }
+    List<Formula> either = new ArrayList<>();
+    for (PredicateDeclaration predicate : fitting) {
+      Reference other = phrases.resolve(phrase, Relations.typeOf(predicate, 1));
+      if (other instanceof Reference.Single single) {
+        either.add(
+            new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, single.term())));
+      } else if (other instanceof Reference.Any any) {
+        either.add(some(predicate, any));
+      } else if (other instanceof Reference.Several several) {
+        several
+            .terms()
+            .forEach(
+                term ->
+                    either.add(
+                        new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, term))));
+      } else if (other instanceof Reference.Open open) {
+        open.candidates()
+            .forEach(
+                term ->
+                    either.add(
+                        new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, term))));
+      }
+    }
+    if (either.isEmpty()) {
+      return Optional.empty();
+    }
+    Formula condition = either.size() == 1 ? either.get(0) : new Formula.Or(either);
+    return Optional.of(head.with(condition).placedSomewhere());
+  }
+
+  private static Formula some(PredicateDeclaration predicate, Reference.Any any) {
+    List<Formula> parts = new ArrayList<>(any.conditions());
+    parts.add(
+        new Formula.Atom(
+            predicate.name(),
+            List.of(Description.VARIABLE, new Term.Variable(any.variable().name()))));
+    return new Formula.Exists(
+        List.of(any.variable()), parts.size() == 1 ? parts.get(0) : new Formula.And(parts));
+  }
+
+  private Optional<Description> owned(Description head, Form owner) {
+    Form phrase =
+        owner.is("name") || owner.is("noun") ? Form.of("np", Form.leaf("the"), owner) : owner;
+    Reference whose = phrases.resolve(phrase, "");
+    if (!(whose instanceof Reference.Single single)) {
+      return Optional.empty();
+    }
+    boolean isHere =
+        relations.ofPlaces().stream().anyMatch(p -> relations.fits(p, 1, single.term()));
+    Optional<Formula> inside =
+        relations.ofPlaces().stream()
+            .filter(Relations::isBroughtAbout)
+            .filter(
+                p -> relations.fits(p, 1, single.term()) && relations.fits(p, 0, head.className()))
+            .findFirst()
+            .map(p -> new Formula.Atom(p.name(), List.of(Description.VARIABLE, single.term())));
+    Description owned =
+        inside.isPresent()
+            ? head.with(inside.get())
+            : head.with(candidate -> relations.belongs(candidate, single.term()));
+    return Optional.of(isHere ? owned.placedSomewhere() : owned);
+  }
+}

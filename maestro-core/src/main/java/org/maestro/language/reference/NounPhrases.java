@@ -1,0 +1,390 @@
+package org.maestro.language.reference;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.maestro.language.grammar.Form;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
+
+/**
+ * Finds out what noun phrases refer to, in one situation. A definite one is the only candidate, or
+ * the only one here, or the one spoken of last; else it is open. Not safe for threads.
+ */
+public final class NounPhrases {
+  private final Situation situation;
+  private final Relations relations;
+  private final Descriptions descriptions;
+  private final Set<Term.Name> mentioned = new LinkedHashSet<>();
+  private final Set<String> kinds = new LinkedHashSet<>();
+  private final Map<Form, Map<String, Reference>> resolved = new HashMap<>();
+  private int variables;
+
+  public NounPhrases(Situation situation) {
+    this.situation = situation;
+    this.relations = new Relations(situation);
+    this.descriptions = new Descriptions(situation, relations, this);
+  }
+
+  public Relations relations() {
+    return relations;
+  }
+
+  /** The things that phrases referred to so far, the latest last. */
+  public List<Term.Name> mentioned() {
+    return List.copyOf(mentioned);
+  }
+
+  /** The kinds of things that were spoken of. */
+  public List<String> kinds() {
+    return List.copyOf(kinds);
+  }
+
+  /**
+   * What the phrase refers to.
+   *
+   * @param className of what is wanted; "" for any
+   */
+  public Reference resolve(Form phrase, String className) {
+    Map<String, Reference> known = resolved.computeIfAbsent(phrase, p -> new HashMap<>());
+    Reference before = known.get(className);
+    if (before != null) {
+      return before;
+    }
+    Reference found = found(phrase, className);
+    known.put(className, found);
+    return found;
+  }
+
+  private Reference found(Form phrase, String className) {
+    return switch (phrase.head()) {
+      case "np" -> counted(phrase, className);
+      case "and" -> joined(phrase, className);
+      case "except" -> without(phrase, className);
+      case "it", "them" -> latest(phrase, className);
+      case "him" -> latest(phrase, className);
+      case "speaker" -> person(situation.speaker(), phrase, className);
+      case "self" -> person(situation.self(), phrase, className);
+      case "everything" -> everything(phrase, className);
+      case "_" -> new Reference.Unsaid();
+      default -> new Reference.None(phrase);
+    };
+  }
+
+  private Reference person(Optional<String> who, Form phrase, String className) {
+    return who.<Term.Name>map(Term.Name::new)
+        .map(
+            name ->
+                relations.isA(name, className)
+                    ? single(name)
+                    : (Reference) new Reference.Mistyped(phrase))
+        .orElse(new Reference.None(phrase));
+  }
+
+  private Reference single(Term.Name name) {
+    mentioned.remove(name);
+    mentioned.add(name);
+    return new Reference.Single(name);
+  }
+
+  private Reference latest(Form phrase, String className) {
+    List<Term.Name> spoken = new ArrayList<>(mentioned);
+    java.util.Collections.reverse(spoken);
+    spoken.addAll(situation.discourse().things());
+    return spoken.stream()
+        .filter(name -> relations.isA(name, className))
+        .filter(name -> situation.speaker().filter(name.text()::equals).isEmpty())
+        .findFirst()
+        .map(this::single)
+        .orElse(new Reference.None(phrase));
+  }
+
+  /** The place spoken of last. */
+  Optional<Term> lastPlace() {
+    return situation.discourse().things().stream()
+        .filter(
+            name ->
+                relations.ofPlaces().stream()
+                    .anyMatch(predicate -> relations.fits(predicate, 1, name)))
+        .<Term>map(name -> name)
+        .findFirst();
+  }
+
+  private Reference joined(Form phrase, String className) {
+    List<Term> all = new ArrayList<>();
+    for (Form part : phrase.parts()) {
+      Reference one = resolve(part, className);
+      if (one instanceof Reference.Single single) {
+        all.add(single.term());
+      } else if (one instanceof Reference.Several several) {
+        all.addAll(several.terms());
+      } else {
+        return one;
+      }
+    }
+    return new Reference.Several(all.stream().distinct().toList());
+  }
+
+  private Reference without(Form phrase, String className) {
+    Reference all = resolve(phrase.part(0), className);
+    Reference but = resolve(phrase.part(1), className);
+    List<Term> excluded = terms(but);
+    if (excluded.isEmpty()) {
+      return but;
+    }
+    if (all instanceof Reference.All every) {
+      List<Formula> conditions = new ArrayList<>(every.conditions());
+      excluded.forEach(
+          term ->
+              conditions.add(
+                  new Formula.Not(
+                      new Formula.Comparison(
+                          Formula.Relation.EQUAL,
+                          new org.maestro.sl.Expression.OfTerm(
+                              new Term.Variable(every.variable().name())),
+                          new org.maestro.sl.Expression.OfTerm(term)))));
+      return new Reference.All(every.variable(), conditions);
+    }
+    List<Term> left = terms(all).stream().filter(term -> !excluded.contains(term)).toList();
+    return left.isEmpty() ? new Reference.None(phrase) : several(left);
+  }
+
+  private static List<Term> terms(Reference reference) {
+    if (reference instanceof Reference.Single single) {
+      return List.of(single.term());
+    }
+    return reference instanceof Reference.Several several ? several.terms() : List.of();
+  }
+
+  private static Reference several(List<? extends Term> terms) {
+    return terms.size() == 1
+        ? new Reference.Single(terms.get(0))
+        : new Reference.Several(List.copyOf(terms));
+  }
+
+  private Reference everything(Form phrase, String className) {
+    if (className.isEmpty()) {
+      return new Reference.None(phrase);
+    }
+    List<Term.Name> here =
+        candidates(Description.ofClass(className), className).stream()
+            .filter(this::isHere)
+            .toList();
+    return here.isEmpty() ? new Reference.None(phrase) : several(here);
+  }
+
+  private Reference counted(Form phrase, String className) {
+    String determiner = phrase.text(0);
+    boolean isCount = determiner.equals("count");
+    Form nominal = phrase.part(isCount ? 2 : 1);
+    Optional<Description> read = descriptions.of(nominal);
+    if (read.isEmpty()) {
+      return new Reference.None(phrase);
+    }
+    Description description = read.get();
+    List<Term.Name> candidates = candidates(description, className);
+    if (!description.className().isEmpty()) {
+      kinds.remove(description.className());
+      kinds.add(description.className());
+    }
+    boolean mayFit = mayFit(description, className);
+    if (!mayFit) {
+      return new Reference.Mistyped(phrase);
+    }
+    return switch (determiner) {
+      case "a", "some" -> any(description, className, phrase, candidates);
+      case "all", "every" -> all(description, className, phrase, candidates);
+      case "count" -> exactly(phrase, candidates, (int) Double.parseDouble(phrase.text(1)));
+      default -> definite(description, phrase, candidates);
+    };
+  }
+
+  private boolean mayFit(Description description, String className) {
+    if (className.isEmpty()) {
+      return true;
+    }
+    return description.named().isEmpty()
+        ? description.className().isEmpty()
+            || situation.home().vocabulary().mayBeBoth(description.className(), className)
+        : description.named().stream().anyMatch(name -> relations.isA(name, className));
+  }
+
+  /** What fits the description and is of the class, in a stable order. */
+  private List<Term.Name> candidates(Description description, String className) {
+    Collection<Term.Name> all =
+        description.named().isEmpty()
+            ? situation
+                .facts()
+                .individuals(
+                    description.className().isEmpty() ? className : description.className())
+            : description.named();
+    return all.stream()
+        .filter(name -> relations.isA(name, className))
+        .filter(name -> isSo(description, name))
+        .toList();
+  }
+
+  boolean isSo(Description description, Term.Name candidate) {
+    Map<String, Term> bindings = Map.of(Description.IT, candidate);
+    return description.conditions().stream()
+            .allMatch(condition -> relations.holds(condition, bindings))
+        && description.tests().stream().allMatch(test -> test.holds(candidate));
+  }
+
+  boolean isRelatedToAnything(PredicateDeclaration predicate, Term.Name candidate) {
+    return relations.fits(predicate, 0, candidate)
+        && situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
+            .anyMatch(
+                other ->
+                    relations.holds(
+                        new Formula.Atom(predicate.name(), List.of(candidate, other)), Map.of()));
+  }
+
+  private boolean isHere(Term.Name name) {
+    return situation.here().filter(here -> relations.isIn(name, new Term.Name(here))).isPresent();
+  }
+
+  private Reference definite(Description description, Form phrase, List<Term.Name> candidates) {
+    List<Term.Name> ordered = candidates;
+    if (description.nth() != 0 && !candidates.isEmpty()) {
+      int index = description.nth() < 0 ? candidates.size() - 1 : description.nth() - 1;
+      return index < candidates.size() ? single(candidates.get(index)) : new Reference.None(phrase);
+    }
+    if (ordered.size() == 1) {
+      return single(ordered.get(0));
+    }
+    if (ordered.isEmpty()) {
+      return new Reference.None(phrase);
+    }
+    if (!description.placed()) {
+      List<Term.Name> here = ordered.stream().filter(this::isHere).toList();
+      if (here.size() == 1) {
+        return single(here.get(0));
+      }
+      ordered = here.isEmpty() ? ordered : here;
+    }
+    Set<Term.Name> among = new LinkedHashSet<>(ordered);
+    Optional<Term.Name> last =
+        situation.discourse().things().stream().filter(among::contains).findFirst();
+    return last.isPresent() ? single(last.get()) : new Reference.Open(phrase, ordered);
+  }
+
+  private Reference all(
+      Description description, String className, Form phrase, List<Term.Name> candidates) {
+    if (description.everywhere()
+        && description.tests().isEmpty()
+        && description.named().isEmpty()) {
+      return quantified(description, className, Reference.All::new);
+    }
+    if (candidates.isEmpty()) {
+      return new Reference.None(phrase);
+    }
+    List<Term.Name> chosen = candidates;
+    if (!description.placed()) {
+      List<Term.Name> here = candidates.stream().filter(this::isHere).toList();
+      boolean isBoundToRooms = candidates.stream().anyMatch(this::isSomewhere);
+      if (!here.isEmpty()) {
+        chosen = here;
+      } else if (isBoundToRooms && situation.here().isPresent() && candidates.size() > 1) {
+        return new Reference.Open(phrase, candidates);
+      }
+    }
+    chosen.forEach(this::single);
+    return several(chosen);
+  }
+
+  private boolean isSomewhere(Term.Name name) {
+    return relations.isA(name, "Device");
+  }
+
+  private Reference any(
+      Description description, String className, Form phrase, List<Term.Name> candidates) {
+    if (!description.named().isEmpty()) {
+      return definite(description, phrase, candidates);
+    }
+    return description.tests().isEmpty()
+        ? quantified(description, className, Reference.Any::new)
+        : candidates.isEmpty() ? new Reference.None(phrase) : single(candidates.get(0));
+  }
+
+  /** Makes a reference of a variable and conditions. */
+  private interface Quantified {
+    Reference of(TypedVariable variable, List<Formula> conditions);
+  }
+
+  private Reference quantified(Description description, String className, Quantified made) {
+    String kind = description.className().isEmpty() ? className : description.className();
+    String name = "x" + (variables == 0 ? "" : variables);
+    variables++;
+    Substitution named = new Substitution(Map.of(Description.IT, new Term.Variable(name)));
+    return made.of(
+        new TypedVariable(name, kind.isEmpty() ? Optional.empty() : Optional.of(kind)),
+        description.conditions().stream().map(named::apply).toList());
+  }
+
+  private Reference exactly(Form phrase, List<Term.Name> candidates, int number) {
+    List<Term.Name> here = candidates.stream().filter(this::isHere).toList();
+    List<Term.Name> fitting = here.size() == number ? here : candidates;
+    if (fitting.size() == number) {
+      fitting.forEach(this::single);
+      return several(fitting);
+    }
+    return fitting.isEmpty() ? new Reference.None(phrase) : new Reference.Open(phrase, fitting);
+  }
+
+  /**
+   * What a phrase says of a variable, for questions: its class and conditions.
+   *
+   * @return empty when something in the phrase refers to nothing
+   */
+  public Optional<Asked> asked(Form nominal, Form where, String variable) {
+    Form whole =
+        where.is("_")
+            ? nominal
+            : Form.of(placeOrState(where), first(where, nominal), second(where, nominal));
+    return descriptions
+        .of(whole)
+        .filter(description -> description.tests().isEmpty())
+        .map(
+            description -> {
+              Substitution named =
+                  new Substitution(Map.of(Description.IT, new Term.Variable(variable)));
+              return new Asked(
+                  description.className(),
+                  description.named(),
+                  description.conditions().stream().map(named::apply).toList());
+            });
+  }
+
+  private static String placeOrState(Form where) {
+    return isState(where) ? "instate" : "at";
+  }
+
+  private static boolean isState(Form form) {
+    return form.is("state") || form.is("not") || form.is("and");
+  }
+
+  private static Form first(Form where, Form nominal) {
+    return isState(where) ? where : nominal;
+  }
+
+  private static Form second(Form where, Form nominal) {
+    return isState(where) ? nominal : where;
+  }
+
+  /** What is asked of a variable. */
+  public record Asked(String className, List<Term.Name> named, List<Formula> conditions) {
+    public Asked {
+      named = List.copyOf(named);
+      conditions = List.copyOf(conditions);
+    }
+  }
+}

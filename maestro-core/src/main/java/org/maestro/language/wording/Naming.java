@@ -1,0 +1,54 @@
+package org.maestro.language.wording;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.ClassDeclaration;
+import org.maestro.ontology.wording.Said;
+import org.maestro.sl.Term;
+
+/** How things are called in a language. Immutable. */
+public final class Naming {
+  private final Home home;
+  private final Grammar grammar;
+
+  public Naming(Home home, Grammar grammar) {
+    this.home = home;
+    this.grammar = grammar;
+  }
+
+  /** A thing's name, with the article that it has. */
+  public String of(Term term) {
+    return term instanceof Term.Name name ? word(name.text()) : String.valueOf(term);
+  }
+
+  /** What a class, a predicate or a thing is called; its id where it has no name. */
+  public String word(String name) {
+    return said(name)
+        .or(() -> Optional.ofNullable(home.individuals().get(name)).map(Individual::label))
+        .orElse(name);
+  }
+
+  private Optional<String> said(String name) {
+    List<Said> all = home.wording().names().getOrDefault(name, List.of());
+    return all.stream().filter(said -> said.isIn(grammar.language())).map(Said::text).findFirst();
+  }
+
+  /** What the class of a thing is called: the narrowest that has a name. */
+  public Optional<String> kind(Term.Name name) {
+    Individual individual = home.individuals().get(name.text());
+    if (individual == null) {
+      return Optional.empty();
+    }
+    return individual.classes().stream()
+        .map(one -> home.vocabulary().classes().get(one))
+        .filter(Objects::nonNull)
+        .max(Comparator.comparingInt(one -> one.ancestors().size()))
+        .map(ClassDeclaration::name)
+        .map(this::word);
+  }
+}

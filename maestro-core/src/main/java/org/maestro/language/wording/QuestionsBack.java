@@ -1,0 +1,139 @@
+package org.maestro.language.wording;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.maestro.language.grammar.Form;
+import org.maestro.language.grammar.Grammar;
+import org.maestro.language.meaning.Doubt;
+import org.maestro.language.reference.Relations;
+import org.maestro.language.reference.Situation;
+import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.wording.Construction;
+import org.maestro.ontology.wording.Said;
+import org.maestro.sl.Evaluation;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
+
+/** What is asked back, or said instead, when something stays in doubt. */
+public final class QuestionsBack {
+  private static final Pattern PLACE = Pattern.compile("\\{(\\w+)}");
+
+  private final Situation situation;
+  private final Grammar grammar;
+  private final Naming naming;
+
+  public QuestionsBack(Situation situation, Grammar grammar) {
+    this.situation = situation;
+    this.grammar = grammar;
+    this.naming = new Naming(situation.home(), grammar);
+  }
+
+  /** The sentence for a doubt. */
+  public String of(Doubt doubt) {
+    if (doubt instanceof Doubt.Which which) {
+      return which(which.candidates());
+    } else if (doubt instanceof Doubt.Missing missing) {
+      return missing(missing);
+    } else if (doubt instanceof Doubt.NoSuch none) {
+      return filled(grammar.phrase("none"), Map.of("what", said(none.said())));
+    } else if (doubt instanceof Doubt.NotKnown unknown) {
+      return filled(
+          grammar.phrase("not-known"),
+          Map.of(
+              "what", naming.word(unknown.fluent().name()),
+              "whose",
+                  unknown.fluent().arguments().stream()
+                      .map(naming::of)
+                      .collect(Collectors.joining(" "))));
+    } else if (doubt instanceof Doubt.Confirm) {
+      return grammar.phrase("confirm");
+    }
+    return grammar.phrase("not-possible");
+  }
+
+  private String missing(Doubt.Missing missing) {
+    return missing.role().questions().stream()
+        .filter(question -> question.isIn(grammar.language()))
+        .map(Said::text)
+        .map(text -> filled(text, rolesOf(missing.construction())))
+        .findFirst()
+        .orElseGet(() -> filled(grammar.phrase("missing"), Map.of("role", missing.role().name())));
+  }
+
+  private static Map<String, String> rolesOf(Construction construction) {
+    return construction.roles().stream()
+        .collect(Collectors.toMap(Construction.Role::name, role -> "it", (a, b) -> a));
+  }
+
+  private static String filled(String phrase, Map<String, String> values) {
+    Matcher places = PLACE.matcher(phrase);
+    return places.replaceAll(
+        found -> Matcher.quoteReplacement(values.getOrDefault(found.group(1), found.group(0))));
+  }
+
+  private String which(List<Term.Name> candidates) {
+    String kind = candidates.stream().findFirst().flatMap(naming::kind).orElse("");
+    List<String> names = candidates.stream().map(naming::of).distinct().toList();
+    List<String> choices =
+        names.size() == candidates.size() ? names : candidates.stream().map(this::byPlace).toList();
+    if (choices.size() > 4) {
+      return filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+    }
+    String last = choices.get(choices.size() - 1);
+    String first = String.join(", ", choices.subList(0, choices.size() - 1));
+    return filled(grammar.phrase("which"), Map.of("kind", kind, "first", first, "last", last));
+  }
+
+  /** A thing by where it is: the one on the table. */
+  private String byPlace(Term.Name thing) {
+    for (Map.Entry<String, List<Said>> entry :
+        situation.home().wording().prepositions().entrySet()) {
+      Optional<PredicateDeclaration> predicate =
+          situation.home().vocabulary().predicate(entry.getKey());
+      if (predicate.isEmpty() || predicate.get().parameters().size() != 2) {
+        continue;
+      }
+      Optional<Term.Name> other =
+          situation.facts().individuals(Relations.typeOf(predicate.get(), 1)).stream()
+              .filter(place -> !place.equals(thing))
+              .filter(place -> holds(entry.getKey(), thing, place))
+              .findFirst();
+      Optional<String> word =
+          entry.getValue().stream()
+              .filter(said -> said.isIn(grammar.language()))
+              .map(Said::text)
+              .findFirst();
+      if (other.isPresent() && word.isPresent() && Relations.isBroughtAbout(predicate.get())) {
+        return filled(
+            grammar.phrase("one-at"),
+            Map.of("preposition", word.get(), "place", naming.of(other.get())));
+      }
+    }
+    return naming.of(thing);
+  }
+
+  private boolean holds(String predicate, Term thing, Term place) {
+    return new Evaluation(situation.facts())
+            .truth(new Formula.Atom(predicate, List.of(thing, place)), Map.of())
+        == Truth.TRUE;
+  }
+
+  /** What was said, as far as it has names. */
+  private String said(Form form) {
+    return switch (form.head()) {
+      case "noun", "name" -> naming.word(form.text(0));
+      case "np" -> said(form.part(form.parts().size() - 1));
+      case "mod" -> form.part(0).text(1) + " " + said(form.part(1));
+      case "at" -> said(form.part(0)) + " " + said(form.part(1));
+      case "rel" -> grammar.phrase("there");
+      case "it", "them", "him" -> grammar.phrase("it");
+      case "beside", "of" -> said(form.part(0)) + " " + said(form.part(1));
+      default -> form.parts().isEmpty() ? form.head() : said(form.part(form.parts().size() - 1));
+    };
+  }
+}
