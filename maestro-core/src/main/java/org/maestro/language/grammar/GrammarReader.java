@@ -23,6 +23,9 @@ public final class GrammarReader {
   private static final Pattern RULE =
       Pattern.compile("([A-Z]\\w*)\\s+=\\s+(.*?)(?:\\s+->\\s+(.*?))?(?:\\s+!(\\d+))?");
 
+  /** How lists write what parts their entries. */
+  private static final String COMMA = "comma";
+
   private final String file;
   private final List<Rule> rules = new ArrayList<>();
   private final Map<String, List<Inflection.Ending>> endings = new LinkedHashMap<>();
@@ -118,7 +121,7 @@ public final class GrammarReader {
         (name, words) -> {
           Set<List<String>> entries = lists.computeIfAbsent(name, n -> new LinkedHashSet<>());
           for (String entry : words.split("\\s*,\\s*")) {
-            entries.add(List.of(entry.split("\\s+")));
+            entries.add(entry.equals(COMMA) ? List.of(",") : List.of(entry.split("\\s+")));
           }
         });
   }

@@ -96,6 +96,9 @@ public final class HeardWords {
     List<String> before = held;
     held = List.of();
     before.forEach(one -> place(one, false));
+    while (!blocked && chart.complete().isEmpty() && letGo()) {
+      repairing = false;
+    }
     if (!blocked && chart.complete().isEmpty()) {
       resumption.ifPresent(this::goOnEarlier);
     }
@@ -139,6 +142,8 @@ public final class HeardWords {
     } else if (isListed("filler", alone)) {
       heard.add(new Heard(word, Heard.Fate.FILLER));
       hesitating = true;
+    } else if (!blocked && letGo()) {
+      place(word, mayHold);
     } else if (blocked) {
       heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
     } else if (mayResume(word) && goOn(word)) {
@@ -149,6 +154,42 @@ public final class HeardWords {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
     } else {
       misheard(word);
+    }
+  }
+
+  /**
+   * What was taken last may have been a filler, or the beginning of a repair, though it had a place
+   * in the sentence: it is let go, if it was.
+   */
+  private boolean letGo() {
+    List<String> words = chart.words();
+    for (int size = Math.min(2, words.size()); size > 0; size--) {
+      List<String> last = words.subList(words.size() - size, words.size());
+      for (String list : List.of("repair", "filler")) {
+        if (isListed(list, last)) {
+          chart.cut(words.size() - size);
+          boolean isRepair = list.equals("repair");
+          renote(last, isRepair ? Heard.Fate.REPAIR : Heard.Fate.FILLER);
+          if (isRepair) {
+            repair();
+          }
+          hesitating = true;
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private void renote(List<String> words, Heard.Fate fate) {
+    int at = heard.size() - 1;
+    for (int i = words.size() - 1; i >= 0; i--) {
+      while (at >= 0 && heard.get(at).fate() != Heard.Fate.TAKEN) {
+        at--;
+      }
+      if (at >= 0) {
+        heard.set(at, new Heard(heard.get(at).word(), fate));
+      }
     }
   }
 

@@ -262,6 +262,9 @@ final class Measures {
             || whose.is("either");
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
+      if (whose.is("it") && said instanceof Reference.None) {
+        return unsaid(type);
+      }
       return said instanceof Reference.Mistyped ? within(whose, type) : said;
     }
     Reference place = place(whose, type);
@@ -328,7 +331,7 @@ final class Measures {
         : new Reference.Several(List.copyOf(around));
   }
 
-  /** What was spoken of last, or is the only one here, or the place itself. */
+  /** What was spoken of last, or the place itself, or all that are here. */
   private Reference unsaid(String type) {
     Form it = Form.leaf("it");
     Reference last = phrases.resolve(it, type);

@@ -196,6 +196,13 @@ final class Descriptions {
     Form phrase =
         owner.is("name") || owner.is("noun") ? Form.of("np", Form.leaf("the"), owner) : owner;
     Reference whose = phrases.resolve(phrase, "");
+    if (whose instanceof Reference.Open open) {
+      return Optional.of(
+          head.with(
+                  candidate ->
+                      open.candidates().stream().anyMatch(one -> relations.belongs(candidate, one)))
+              .placedSomewhere());
+    }
     if (!(whose instanceof Reference.Single single)) {
       return Optional.empty();
     }

@@ -2,6 +2,7 @@ package org.maestro.language.wording;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.maestro.language.grammar.Grammar;
@@ -31,6 +32,18 @@ public final class Naming {
     return said(name)
         .or(() -> Optional.ofNullable(home.individuals().get(name)).map(Individual::label))
         .orElse(name);
+  }
+
+  /** The same without its article. */
+  public String bare(String name) {
+    String word = word(name);
+    int blank = word.indexOf(' ');
+    return blank > 0
+            && grammar
+                .list("article")
+                .contains(List.of(word.substring(0, blank).toLowerCase(Locale.ROOT)))
+        ? word.substring(blank + 1)
+        : word;
   }
 
   private Optional<String> said(String name) {

@@ -126,7 +126,7 @@ public final class QuestionsBack {
   /** What was said, as far as it has names. */
   private String said(Form form) {
     return switch (form.head()) {
-      case "noun", "name" -> naming.word(form.text(0));
+      case "noun", "name" -> naming.bare(form.text(0));
       case "np" -> said(form.part(form.parts().size() - 1));
       case "mod" -> form.part(0).text(1) + " " + said(form.part(1));
       case "at" -> said(form.part(0)) + " " + said(form.part(1));
