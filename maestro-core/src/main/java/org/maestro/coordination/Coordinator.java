@@ -33,6 +33,7 @@ import org.maestro.coordination.api.PlanRecord;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.api.ScriptStep;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.composites.CompositeActions;
@@ -647,11 +648,18 @@ public final class Coordinator {
    * held those that were made lately to bring it about. None where none is kept.
    */
   public List<PlanRecord> plans(String goalId) {
+    return planned(goalId).map(PlanRecords::all).orElse(List.of());
+  }
+
+  /** The steps of the script that the goal is, and what has become of them; else none. */
+  public List<ScriptStep> stepsOfScript(String goalId) {
+    return planned(goalId).map(PlanRecords::ofScript).orElse(List.of());
+  }
+
+  private Optional<PlanRecords> planned(String goalId) {
     return Optional.ofNullable(pursuits.get(goalId))
         .map(ActiveGoal::plans)
-        .or(() -> planned.find(goalId))
-        .map(PlanRecords::all)
-        .orElse(List.of());
+        .or(() -> planned.find(goalId));
   }
 
   public boolean isPresent(String member) {

@@ -7,6 +7,8 @@ import java.util.stream.Collectors;
 
 /** Prints bodies of scripts; the inverse of {@link BodySyntax}. */
 final class BodyPrinter {
+  private static final String LEFT_OUT = "…";
+
   private BodyPrinter() {}
 
   static String print(Body body) {
@@ -41,8 +43,7 @@ final class BodyPrinter {
           .forEach((name, term) -> parts.add(":" + name + " " + SlPrinter.print(term)));
       return group("do", parts);
     } else if (body instanceof Body.Hold hold) {
-      List<String> parts =
-          parts(SlPrinter.print(hold.member()), SlPrinter.print(new Term.Text(hold.component())));
+      List<String> parts = parts(SlPrinter.print(hold.member()), component(hold));
       parts.addAll(inTurn(hold.parts()));
       return group("hold", parts);
     } else if (body instanceof Body.Say say) {
@@ -57,6 +58,35 @@ final class BodyPrinter {
       return print((Body.Source) run);
     }
     return single(body);
+  }
+
+  /** The step by itself: what is in it is left out. */
+  static String head(Body body) {
+    if (body instanceof Body.Seq) {
+      return "(seq …)";
+    } else if (body instanceof Body.Par) {
+      return "(par …)";
+    } else if (body instanceof Body.If choice) {
+      return group("if", parts(SlPrinter.print(choice.condition()), LEFT_OUT));
+    } else if (body instanceof Body.While loop) {
+      List<String> parts = parts(SlPrinter.print(loop.condition()), LEFT_OUT);
+      loop.most().ifPresent(most -> parts.add(":most " + most));
+      return group("while", parts);
+    } else if (body instanceof Body.ForEach each) {
+      return group(
+          "foreach", parts(variable(each.variable()), SlPrinter.print(each.condition()), LEFT_OUT));
+    } else if (body instanceof Body.Let let) {
+      return group("let", parts("?" + let.variable(), print(let.source()), LEFT_OUT));
+    } else if (body instanceof Body.Try) {
+      return "(try …)";
+    } else if (body instanceof Body.Hold hold) {
+      return group("hold", parts(SlPrinter.print(hold.member()), component(hold), LEFT_OUT));
+    }
+    return body instanceof Body.Ask ask ? group("ask", question(ask)) : print(body);
+  }
+
+  private static String component(Body.Hold hold) {
+    return SlPrinter.print(new Term.Text(hold.component()));
   }
 
   private static String single(Body body) {

@@ -51,6 +51,11 @@ public final class SlPrinter {
     return BodyPrinter.print(body);
   }
 
+  /** The same without the steps that are in it. */
+  public static String head(Body body) {
+    return BodyPrinter.head(body);
+  }
+
   public static String print(Fact fact) {
     return printed(SlPrinter::write, fact);
   }

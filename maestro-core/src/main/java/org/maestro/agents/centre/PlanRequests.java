@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.agents.content.PlanWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
@@ -33,7 +34,12 @@ final class PlanRequests {
   void answer(ACLMessage message, Words words, String goalId) {
     List<PlanRecord> plans = coordinator.plans(goalId);
     if (words.find("bids").isEmpty()) {
-      inform(message, plans.stream().map(PlanWords::plan).toList());
+      inform(
+          message,
+          Stream.concat(
+                  plans.stream().map(PlanWords::plan),
+                  coordinator.stepsOfScript(goalId).stream().map(PlanWords::step))
+              .toList());
     } else {
       bids(message, words, goalId, plans);
     }

@@ -4,14 +4,18 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.maestro.coordination.api.BidRecord;
 import org.maestro.coordination.api.PlanRecord;
+import org.maestro.coordination.api.ScriptStep;
 import org.maestro.coordination.api.StepRecord;
 import org.maestro.sl.Content;
 import org.maestro.sl.Content.Argument;
 
-/** Plans that were made for a goal, in messages; times in simulated seconds. */
+/**
+ * Plans that were made for a goal, and steps of scripts, in messages; times in simulated seconds.
+ */
 public final class PlanWords {
   private PlanWords() {}
 
@@ -34,6 +38,27 @@ public final class PlanWords {
     return new Content("inform", words);
   }
 
+  /** A step of a script that is carried out. */
+  public static Content step(ScriptStep step) {
+    List<Argument> words = new ArrayList<>();
+    words.add(Words.named("path", Words.text(step.path())));
+    words.add(Words.named("depth", Words.number(step.depth())));
+    words.add(Words.named("text", Words.text(step.text())));
+    words.add(Words.named("state", name(step.state())));
+    became(words, step.begun(), step.ended(), step.problem());
+    return new Content("inform", words);
+  }
+
+  private static void became(
+      List<Argument> words,
+      Optional<Duration> begun,
+      Optional<Duration> ended,
+      Optional<String> problem) {
+    begun.ifPresent(time -> words.add(time("begun", time)));
+    ended.ifPresent(time -> words.add(time("ended", time)));
+    problem.ifPresent(why -> words.add(Words.named("problem", Words.text(why))));
+  }
+
   private static Argument.Named step(StepRecord record) {
     List<Argument> words = new ArrayList<>();
     words.add(Words.named("number", Words.number(record.step().number())));
@@ -46,9 +71,7 @@ public final class PlanWords {
     words.add(Words.named("seconds", Words.number(record.step().seconds())));
     words.add(time("start", record.start()));
     words.add(Words.named("state", name(record.state())));
-    record.begun().ifPresent(begun -> words.add(time("begun", begun)));
-    record.ended().ifPresent(ended -> words.add(time("ended", ended)));
-    record.problem().ifPresent(why -> words.add(Words.named("problem", Words.text(why))));
+    became(words, record.begun(), record.ended(), record.problem());
     return Words.named("step", words);
   }
 

@@ -12,7 +12,7 @@ import org.maestro.sl.Term;
  * answer that was taken is not asked for again.
  */
 final class Asking extends Part {
-  private static final int PARTS = 1;
+  static final int PARTS = 1;
 
   private final Body.Ask ask;
   private final Scope scope;

@@ -6,9 +6,9 @@ import org.maestro.sl.Body;
 
 /** A part that is recovered from when it fails, and after which something is done in any case. */
 final class Attempt extends Part {
-  private static final int TRIED = 1;
-  private static final int LAST = 2;
-  private static final int RECOVERIES = 3;
+  static final int TRIED = 1;
+  static final int LAST = 2;
+  static final int RECOVERIES = 3;
 
   private final Body.Try attempt;
   private final Scope scope;

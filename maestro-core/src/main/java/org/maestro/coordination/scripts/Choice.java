@@ -7,6 +7,9 @@ import org.maestro.sl.Term;
 
 /** One of two ways: the way that is taken is noted, whatever becomes of the condition. */
 final class Choice extends Part {
+  static final int THEN = 1;
+  static final int OTHERWISE = 2;
+
   private final Body.If choice;
   private final Scope scope;
   private Optional<Part> taken = Optional.empty();
@@ -31,7 +34,7 @@ final class Choice extends Part {
       return;
     }
     Body way = isSo ? choice.then() : choice.otherwise().orElseThrow();
-    Part part = course.part(way, scope, below(isSo ? 1 : 2), this::finish);
+    Part part = course.part(way, scope, below(isSo ? THEN : OTHERWISE), this::finish);
     taken = Optional.of(part);
     part.begin();
   }

@@ -56,6 +56,7 @@ final class Course {
   private final Notes notes;
   private final Voice voice;
   private final ScriptStory told;
+  private final StepsOfScript steps;
   private final Map<String, ActiveGoal> underway = new LinkedHashMap<>();
   private final Map<String, HoldGoal> holds = new LinkedHashMap<>();
   private final Map<String, Recovery.UnfinishedGoal> former = new LinkedHashMap<>();
@@ -93,6 +94,7 @@ final class Course {
     this.partEnded = partEnded;
     this.notes = new Notes(goalId, ports.journal());
     this.told = new ScriptStory(goalId, ports);
+    this.steps = new StepsOfScript(ports.clock());
     this.voice = new Voice(ports, activeGoals, notes, told);
   }
 
@@ -115,6 +117,11 @@ final class Course {
 
   ScriptStory told() {
     return told;
+  }
+
+  /** What is told of the script as data. */
+  StepsOfScript steps() {
+    return steps;
   }
 
   /** By which parts speak to people and agents. */

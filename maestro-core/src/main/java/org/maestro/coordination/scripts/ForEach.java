@@ -49,6 +49,7 @@ final class ForEach extends Part {
       finish(new Result.Done());
       return;
     }
+    course.steps().within(path, at + 1, each.body());
     Part part =
         course.part(
             each.body(),

@@ -9,6 +9,8 @@ import org.maestro.sl.Term;
 
 /** Parts that are done while a component is held for them; without parts, until it is let go. */
 final class Holding extends Part {
+  static final int STEPS = 1;
+
   private final Body.Hold hold;
   private final Scope scope;
   private Optional<Part> steps = Optional.empty();
@@ -34,7 +36,7 @@ final class Holding extends Part {
 
   private void held() {
     if (!isOver() && !hold.parts().isEmpty()) {
-      Part part = course.part(new Body.Seq(hold.parts()), scope, below(1), this::done);
+      Part part = course.part(new Body.Seq(hold.parts()), scope, below(STEPS), this::done);
       steps = Optional.of(part);
       part.begin();
     }

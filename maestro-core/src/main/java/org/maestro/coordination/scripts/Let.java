@@ -12,8 +12,8 @@ import org.maestro.sl.Term;
  * A variable that stands for what is found, or for what another script gives, and parts with it.
  */
 final class Let extends Part {
-  private static final int SOURCE = 1;
-  private static final int PARTS = 2;
+  static final int SOURCE = 1;
+  static final int PARTS = 2;
 
   private final Body.Let let;
   private final Scope scope;

@@ -50,6 +50,7 @@ final class Loop extends Part {
               "After %d rounds it is still so that %s."
                   .formatted(finished, SlPrinter.print(scope.apply(loop.condition())))));
     } else {
+      course.steps().within(path, finished + 1, loop.body());
       // What was done before a restart took time then.
       long deeds = wasBegun ? -1 : course.deeds();
       Consumer<Result> then = result -> ended(finished + 1, deeds, result);

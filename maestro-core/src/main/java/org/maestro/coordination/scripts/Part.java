@@ -28,11 +28,13 @@ abstract class Part {
     Optional<Result> before = course.notes().result(path);
     if (before.isPresent()) {
       over = true;
+      course.steps().wasOver(path, before.get());
       then.accept(before.get());
     } else {
       course.whenReady(
           () -> {
             if (!calledOff) {
+              course.steps().begun(path);
               proceed();
             }
           });
@@ -44,19 +46,17 @@ abstract class Part {
 
   /** Writes the result down, and tells it. */
   final void finish(Result result) {
-    if (!over && !calledOff) {
-      over = true;
-      if (!path.isEmpty()) {
-        course.notes().over(path, result);
-      }
-      then.accept(result);
+    if (!isOver() && !path.isEmpty()) {
+      course.notes().over(path, result);
     }
+    finishUnwritten(result);
   }
 
   /** The same, where it is written down elsewhere. */
   final void finishUnwritten(Result result) {
-    if (!over && !calledOff) {
+    if (!isOver()) {
       over = true;
+      course.steps().ended(path, result);
       then.accept(result);
     }
   }
@@ -71,6 +71,7 @@ abstract class Part {
       then.run();
     } else {
       calledOff = true;
+      course.steps().calledOff(path);
       stop(then);
     }
   }
@@ -83,6 +84,11 @@ abstract class Part {
 
   /** The path of what is below it, counted from 1. */
   final String below(int number) {
+    return below(path, number);
+  }
+
+  /** The same of another. */
+  static String below(String path, int number) {
     return path.isEmpty() ? String.valueOf(number) : path + "." + number;
   }
 }

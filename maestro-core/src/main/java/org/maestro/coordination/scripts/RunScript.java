@@ -57,6 +57,7 @@ final class RunScript extends Part {
                   .formatted(Course.DEEPEST, run.script())));
     } else {
       course.told().runs(path, SlPrinter.print(new Formula.Atom(run.script(), arguments)));
+      course.steps().within(path, 1, script.get().body());
       Part part =
           course.part(
               script.get().body(),

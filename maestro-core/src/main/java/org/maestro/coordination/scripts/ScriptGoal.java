@@ -76,7 +76,10 @@ public final class ScriptGoal implements GoalOfGoals {
     this.course =
         new Course(id, request, standing, ports, activeGoals, subgoals, Parts::of, this::partEnded);
     List<Term> arguments = ((Formula.Atom) request.goal()).arguments();
-    Body steps = script.body() instanceof Body.Seq seq ? seq : new Body.Seq(List.of(script.body()));
+    Body.Seq steps =
+        script.body() instanceof Body.Seq seq ? seq : new Body.Seq(List.of(script.body()));
+    course.steps().laidOut(steps);
+    story.plans().follow(course.steps()::all);
     this.root = course.part(steps, Course.scope(script, arguments, 1), ROOT, this::ended);
   }
 

@@ -7,9 +7,11 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.maestro.coordination.api.BidRecord;
 import org.maestro.coordination.api.PlanRecord;
+import org.maestro.coordination.api.ScriptStep;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.StepRecord;
 import org.maestro.coordination.api.StepRecord.State;
@@ -19,8 +21,9 @@ import org.maestro.planning.api.StepKey;
 import org.maestro.rats.time.Clock;
 
 /**
- * The latest plans of one goal, and what became of their steps: the story as data. As many are kept
- * as there is room for, and none beyond the end of the process. The coordinator's thread only.
+ * The latest plans of one goal or the steps of its script, and what became of them: the story as
+ * data. As many are kept as there is room for, and none beyond the end of the process. The
+ * coordinator's thread only.
  */
 public final class PlanRecords {
   private static final int MOST = 20;
@@ -30,6 +33,7 @@ public final class PlanRecords {
 
   private final Clock clock;
   private final List<PlanRecord> records = new ArrayList<>();
+  private Supplier<List<ScriptStep>> script = List::of;
 
   public PlanRecords(Clock clock) {
     this.clock = clock;
@@ -40,8 +44,22 @@ public final class PlanRecords {
     return List.copyOf(records);
   }
 
+  /** From now on the steps of a script are told with them. */
+  public void follow(Supplier<List<ScriptStep>> steps) {
+    script = steps;
+  }
+
+  /** The steps of the script, where the goal is one that is carried out; else none. */
+  public List<ScriptStep> ofScript() {
+    return script.get();
+  }
+
   /** What they take of memory, about. */
   public long bytes() {
+    return BYTES_OF_A_STEP * script.get().size() + bytesOfPlans();
+  }
+
+  private long bytesOfPlans() {
     return records.stream()
         .mapToLong(
             plan ->
@@ -60,7 +78,7 @@ public final class PlanRecords {
   }
 
   private void keepWhatThereIsRoomFor() {
-    while (records.size() > MOST || records.size() > 1 && bytes() > MOST_BYTES) {
+    while (records.size() > MOST || records.size() > 1 && bytesOfPlans() > MOST_BYTES) {
       records.remove(0);
     }
   }

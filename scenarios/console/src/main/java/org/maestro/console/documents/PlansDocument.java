@@ -6,17 +6,27 @@ import java.util.List;
 import org.maestro.agents.content.Words;
 import org.maestro.sl.Term;
 
-/** The plans that were made for a goal, oldest first, and what has become of their steps. */
+/**
+ * The plans that were made for a goal, oldest first, or the steps of the script that it is; and
+ * what has become of the steps.
+ */
 public final class PlansDocument {
   private PlansDocument() {}
 
   /**
-   * @param lines a plan each, as the coordinator tells of them
+   * @param lines a plan or a step of the script each, as the coordinator tells of them
    */
   public static ObjectNode of(String goal, List<Words> lines) {
     JsonMembers document = JsonMembers.empty().text("goal", goal);
     ArrayNode plans = document.node().putArray("plans");
-    lines.forEach(line -> add(plans, line));
+    ArrayNode script = document.node().putArray("script");
+    for (Words line : lines) {
+      if (line.find("path").isPresent()) {
+        addStepOfScript(script, line);
+      } else {
+        add(plans, line);
+      }
+    }
     return document.node();
   }
 
@@ -47,8 +57,19 @@ public final class PlansDocument {
         .forEach(number -> after.add((int) number.value()));
     step.number("cost", words, "cost")
         .number("duration_s", words, "seconds")
-        .number("start_s", words, "start")
-        .text("state", words.string("state"))
+        .number("start_s", words, "start");
+    became(step, words);
+  }
+
+  private static void addStepOfScript(ArrayNode steps, Words words) {
+    JsonMembers step =
+        JsonMembers.in(steps).text("path", words.string("path")).text("text", words.string("text"));
+    step.node().put("depth", whole(words, "depth"));
+    became(step, words);
+  }
+
+  private static void became(JsonMembers step, Words words) {
+    step.text("state", words.string("state"))
         .number("begun_s", words, "begun")
         .number("ended_s", words, "ended")
         .text("problem", words.string("problem"));

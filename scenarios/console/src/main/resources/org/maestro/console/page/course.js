@@ -6,6 +6,7 @@ import { plansOf, bidsOf, whyOf, now, onPlans } from "./plans.js";
 import { stepDetail } from "./step.js";
 import { graph } from "./graph.js";
 import { timeline } from "./timeline.js";
+import { scriptSteps } from "./script.js";
 import { bidTable } from "./bids.js";
 
 const BESIDE = new Set(["goals", "members", "knowledge"]);
@@ -25,6 +26,7 @@ const choosing = make("span", { class: "choosing" }, make("label", { for: "cours
 const which = make("div", { class: "which more" }, choosing, about);
 const picture = make("div", { class: "picture", tabindex: 0, role: "region" });
 const aside = make("div", { class: "aside", tabindex: 0, role: "region", "aria-label": "The chosen step" });
+const script = make("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Steps of the script" });
 const list = make("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Bids" });
 const body = make("div", { class: "body" });
 const frame = make("div", { class: "course" }, head, which, body);
@@ -79,12 +81,15 @@ function drawWhich(goal, plans, plan) {
 }
 
 /** Where there is nothing to draw: what to do instead. */
-function emptiness(goal, { plans, problem }, plan) {
+function emptiness(goal, { plans, script: steps, problem }, plan) {
   if (problem) {
     return make("p", { class: "problem", role: "alert" }, problem);
   }
   if (plans === null) {
     return make("p", { class: "empty" }, "…");
+  }
+  if (steps.length > 0) {
+    return make("p", { class: "empty" }, "This goal is a script: Plan shows its steps, and its story tells who did what for each.");
   }
   if (!plan) {
     return make("p", { class: "empty" }, isOver(goal)
@@ -132,9 +137,19 @@ function put(...parts) {
   }
 }
 
+/** What is under way goes on by the second. */
+function drawScript(goal, read, time) {
+  put(script);
+  drawIfNew(script, [goal, read.heard, isOver(goal) ? "" : Math.floor(performance.now() / 1000)], () => scriptSteps(read.script, time));
+}
+
 function drawBody(goal, read, plan, time) {
   const { show } = selection();
   const { plans } = read;
+  if (show === "plan" && read.script.length > 0) {
+    drawScript(goal, read, time);
+    return;
+  }
   if (show === "bids" && plan) {
     const answer = bidsOf(goal, plan);
     const bids = answer?.bids ?? [];

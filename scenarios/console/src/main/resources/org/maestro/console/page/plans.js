@@ -1,4 +1,4 @@
-/** The plans of the goal that is looked at, and what was answered for them: read anew as its story goes on. */
+/** The plans of the goal that is looked at, or the steps of its script, and what was answered for them: read anew as its story goes on. */
 import { ask, onChange, onStory, state } from "./feed.js";
 
 /** What happens in one moment is read once. */
@@ -9,7 +9,7 @@ let told = () => {};
 let timer = null;
 
 function nothing(goal) {
-  return { goal, plans: null, now: 0, heard: 0, problem: null };
+  return { goal, plans: null, script: [], now: 0, heard: 0, problem: null };
 }
 
 export function onPlans(listener) {
@@ -20,8 +20,8 @@ async function readPlans() {
   const { goal } = read;
   let next;
   try {
-    const { plans, now_s: now } = await ask.plans(goal);
-    next = { goal, plans, now, heard: performance.now(), problem: null };
+    const { plans, script, now_s: now } = await ask.plans(goal);
+    next = { goal, plans, script, now, heard: performance.now(), problem: null };
   } catch (failure) {
     next = { ...read, plans: read.plans ?? [], problem: failure.message };
   }
