@@ -700,14 +700,15 @@ public final class Coordinator {
   private GoalStatus status(Recovery.EndedGoal goal) {
     GoalOutcome outcome = goal.outcome();
     return new GoalStatus(
-        outcome.id(),
-        outcome.goal(),
-        goal.request().requester(),
-        outcome.state(),
-        String.join(" ", outcome.reasons()),
-        goal.request().priority(),
-        goal.request().deadline().map(deadline -> deadline.minus(ports.clock().now())),
-        ports.clock().now().minus(outcome.submittedAt()),
-        List.of());
+            outcome.id(),
+            outcome.goal(),
+            goal.request().requester(),
+            outcome.state(),
+            String.join(" ", outcome.reasons()),
+            goal.request().priority(),
+            goal.request().deadline().map(deadline -> deadline.minus(ports.clock().now())),
+            ports.clock().now().minus(outcome.submittedAt()),
+            List.of())
+        .stakes(goal.request().stakes());
   }
 }

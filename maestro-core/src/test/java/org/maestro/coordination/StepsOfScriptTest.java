@@ -91,7 +91,8 @@ class StepsOfScriptTest {
 
   @Test
   void ofALoopTheLatestRoundIsTold() {
-    NarrowHouse house = house("(seq (foreach (?z - Zone) (= 1 1) (seq (wait 1) (wait 2))) (wait 3))");
+    NarrowHouse house =
+        house("(seq (foreach (?z - Zone) (= 1 1) (seq (wait 1) (wait 2))) (wait 3))");
     house.wish("(tidy)");
     house.clock.runUntil(() -> steps(house).contains("1.3.1 UNDER_WAY (wait 1)"), LIMIT);
 

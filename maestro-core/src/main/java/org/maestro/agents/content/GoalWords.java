@@ -71,6 +71,7 @@ public final class GoalWords {
     arguments.add(Words.named("age", seconds(goal.age())));
     arguments.add(Words.named("waits", goal.waits().stream().map(GoalWords::edge).toList()));
     goal.worth().ifPresent(worth -> arguments.add(WorthWords.told(worth)));
+    goal.stakes().ifPresent(stakes -> arguments.add(WorthWords.stated(stakes)));
     return new Content("inform", arguments);
   }
 

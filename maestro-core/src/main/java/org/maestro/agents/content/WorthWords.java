@@ -11,6 +11,7 @@ import org.maestro.coordination.api.Worth;
 import org.maestro.sl.Content;
 import org.maestro.sl.Expression;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
 
@@ -93,6 +94,19 @@ final class WorthWords {
           "The urgency needs two numbers above 0, the lower first; write such as (:urgency 1 10).");
     }
     return bounds;
+  }
+
+  /** The stakes in the words by which they are stated. */
+  static Content.Argument.Named stated(Stakes stakes) {
+    return Words.named(
+        "stakes",
+        new AskedStakes(
+                Optional.of(SlPrinter.print(stakes.benefit())),
+                Optional.of(stakes.chance()),
+                stakes.allowed().map(time -> time.toMillis() / 1000.0),
+                Optional.of(stakes.urgencyFrom()),
+                Optional.of(stakes.urgencyTo()))
+            .arguments());
   }
 
   /** What the goal is worth now; seconds are simulated ones. */

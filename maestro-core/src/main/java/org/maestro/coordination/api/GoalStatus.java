@@ -12,6 +12,7 @@ import java.util.Optional;
  * @param age since it was stated, by the clock
  * @param waits what it waits for, and who has that
  * @param worth what it is worth now; empty when nobody says what it is worth
+ * @param stakes what was stated of that
  */
 public record GoalStatus(
     String id,
@@ -23,7 +24,8 @@ public record GoalStatus(
     Optional<Duration> timeLeft,
     Duration age,
     List<WaitsFor> waits,
-    Optional<Worth> worth) {
+    Optional<Worth> worth,
+    Optional<Stakes> stakes) {
   public GoalStatus {
     waits = List.copyOf(waits);
   }
@@ -39,16 +41,35 @@ public record GoalStatus(
       Optional<Duration> timeLeft,
       Duration age,
       List<WaitsFor> waits) {
-    this(id, goal, requester, state, detail, priority, timeLeft, age, waits, Optional.empty());
+    this(
+        id,
+        goal,
+        requester,
+        state,
+        detail,
+        priority,
+        timeLeft,
+        age,
+        waits,
+        Optional.empty(),
+        Optional.empty());
   }
 
   /** The same goal, and what it is worth now. */
   public GoalStatus worth(Optional<Worth> now) {
-    return new GoalStatus(id, goal, requester, state, detail, priority, timeLeft, age, waits, now);
+    return new GoalStatus(
+        id, goal, requester, state, detail, priority, timeLeft, age, waits, now, stakes);
+  }
+
+  /** The same goal, and what was stated of its worth. */
+  public GoalStatus stakes(Optional<Stakes> stated) {
+    return new GoalStatus(
+        id, goal, requester, state, detail, priority, timeLeft, age, waits, worth, stated);
   }
 
   /** The same goal in another state. */
   public GoalStatus as(GoalState other, String why) {
-    return new GoalStatus(id, goal, requester, other, why, priority, timeLeft, age, waits, worth);
+    return new GoalStatus(
+        id, goal, requester, other, why, priority, timeLeft, age, waits, worth, stakes);
   }
 }

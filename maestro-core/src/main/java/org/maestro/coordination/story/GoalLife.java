@@ -89,15 +89,16 @@ public final class GoalLife {
 
   public GoalStatus status(List<WaitsFor> waits) {
     return new GoalStatus(
-        id,
-        SlPrinter.print(request.goal()),
-        request.requester(),
-        state,
-        detail,
-        request.priority(),
-        request.deadline().map(deadline -> deadline.minus(clock.now())),
-        clock.now().minus(submittedAt),
-        waits);
+            id,
+            SlPrinter.print(request.goal()),
+            request.requester(),
+            state,
+            detail,
+            request.priority(),
+            request.deadline().map(deadline -> deadline.minus(clock.now())),
+            clock.now().minus(submittedAt),
+            waits)
+        .stakes(request.stakes());
   }
 
   /** What it is at, as the end of a sentence. */

@@ -119,12 +119,16 @@ class GoalWordsTest {
                 Optional.empty(),
                 Duration.ofSeconds(60),
                 List.of())
-            .worth(Optional.of(worth));
+            .worth(Optional.of(worth))
+            .stakes(
+                Optional.of(
+                    new Stakes(SlParser.expression("(+ 40 20)")).allowed(Duration.ofSeconds(600))));
 
     assertThat(Words.print(GoalWords.status(status)))
         .contains("(:worth (:chance 0.8) (:tried 3) (:benefit 60) (:cost 14) (:utility 34)")
+        .contains("(:elapsed 60) (:allowed 600) (:from 1) (:to 10) (:urgency 1.9) (:priority 64.6)")
         .contains(
-            "(:elapsed 60) (:allowed 600) (:from 1) (:to 10) (:urgency 1.9) (:priority 64.6)");
+            "(:stakes (:benefit \"(+ 40 20)\") (:chance 0.8) (:allowed 600) (:urgency 1 10))");
   }
 
   @Test

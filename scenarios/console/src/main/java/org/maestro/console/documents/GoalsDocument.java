@@ -3,8 +3,10 @@ package org.maestro.console.documents;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.maestro.agents.content.Words;
+import org.maestro.sl.Term;
 
 /** A platform's goals, in the order in which they were stated. */
 public final class GoalsDocument {
@@ -34,6 +36,9 @@ public final class GoalsDocument {
       words
           .find("worth")
           .ifPresentOrElse(worth -> worth(row, worth), () -> row.node().putNull("worth"));
+      words
+          .find("stakes")
+          .ifPresentOrElse(stakes -> stakes(row, stakes), () -> row.node().putNull("stakes"));
     }
     return document.node();
   }
@@ -51,6 +56,23 @@ public final class GoalsDocument {
         .number("urgency_to", words, "to")
         .number("urgency", words, "urgency")
         .number("weight", words, "priority");
+  }
+
+  /** As it can be stated again. */
+  private static void stakes(JsonMembers row, Words words) {
+    List<Term> urgency = words.find("urgency").map(Words::terms).orElse(List.of());
+    row.in("stakes")
+        .text("benefit", words.string("benefit"))
+        .number("chance", words, "chance")
+        .number("allowed_s", words, "allowed")
+        .number("urgency_from", number(urgency, 0))
+        .number("urgency_to", number(urgency, 1));
+  }
+
+  private static OptionalDouble number(List<Term> terms, int at) {
+    return terms.size() > at && terms.get(at) instanceof Term.Number number
+        ? OptionalDouble.of(number.value())
+        : OptionalDouble.empty();
   }
 
   private static List<String> goal(Words words) {

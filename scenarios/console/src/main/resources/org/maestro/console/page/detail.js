@@ -43,12 +43,16 @@ function line(entry, from) {
 
 const goalOf = (id) => state.goals.find((one) => one.id === id);
 
+/** The same wish with all that was stated with it; as much time from now as it had then. */
+const stateAgain = ({ goal, priority, deadline_s: left, age_s: since, stakes }) =>
+  ask.state(goal, { priority, deadline: left === null ? null : left + since, stakes: stakes ?? {} });
+
 function goalHead(id) {
   const goal = goalOf(id);
   return [make("h2", {},
     make("code", {}, `${id} ${goal?.goal ?? ""}`), goal ? stateOf(goal) : null, isPast() ? null : tabs(), make("span", { class: "grow" }),
     goal && isOver(goal) && goal.state !== "achieved"
-      ? make("button", { type: "button", ...acting(), onclick: () => ask.state(goal.goal, { priority: goal.priority }).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
+      ? make("button", { type: "button", ...acting(), onclick: () => stateAgain(goal).then(({ id: again }) => select({ goal: again }), (failure) => { story.problem = failure.message; drawDetail(); }) }, "State again")
       : null,
     goal && !isOver(goal)
       ? make("button", { type: "button", ...acting(), onclick: () => ask.cancel(id).catch((failure) => { story.problem = failure.message; drawDetail(); }) }, "Cancel goal")

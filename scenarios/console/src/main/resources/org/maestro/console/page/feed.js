@@ -124,7 +124,7 @@ export const ask = {
   know: (question) => request(`/knowledge?question=${encodeURIComponent(question)}`),
   history: (fact) => request(`/knowledge/history?fact=${encodeURIComponent(fact)}`),
   query: (query) => send("POST", "/queries", { query }),
-  state: (goal, { priority = 0, deadline = null, benefit = null } = {}) => send("POST", "/goals", { goal, priority, deadline_s: deadline, benefit }),
+  state: (goal, { priority = 0, deadline = null, stakes = {} } = {}) => send("POST", "/goals", { goal, priority, deadline_s: deadline, ...stakes }),
   preview: (goal) => send("POST", "/previews", { goal }),
   containers: () => request("/containers"),
   states: () => request("/states"),

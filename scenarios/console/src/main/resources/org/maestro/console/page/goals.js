@@ -225,7 +225,7 @@ export function startGoals() {
       const { id } = await ask.state(goal, {
         priority: Number(byId("goal-priority").value),
         deadline: deadline === "" ? null : Number(deadline),
-        benefit: benefit === "" ? null : benefit,
+        stakes: { benefit: benefit === "" ? null : benefit },
       });
       input.value = "";
       byId("goal-priority").value = "0";
