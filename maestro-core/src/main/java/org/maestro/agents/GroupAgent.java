@@ -115,21 +115,10 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       started = true;
       start.cancel();
       Substitution self = new Substitution(Self.is(group.id()));
-      goals.pursueOnly(group.pursues().stream().map(self::apply).toList(), stakes(self));
+      goals.pursueOnly(
+          group.pursues().stream().map(self::apply).toList(),
+          Stakes.of(group.worth(), self::apply));
     }
-  }
-
-  private Optional<Stakes> stakes(Substitution self) {
-    return group
-        .benefit()
-        .map(
-            benefit ->
-                new Stakes(
-                    self.apply(benefit),
-                    group.chance().orElse(Stakes.USUAL_CHANCE),
-                    group.allowed(),
-                    Stakes.USUAL_URGENCY_FROM,
-                    Stakes.USUAL_URGENCY_TO));
   }
 
   private void callRoll() {

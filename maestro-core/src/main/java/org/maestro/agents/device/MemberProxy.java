@@ -17,6 +17,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.deployment.Charge;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.members.DescriptionVerdict;
@@ -291,9 +292,10 @@ public final class MemberProxy implements MemberNews.Listener {
         own -> {
           own.memberPresent(member, agent.getAID(), Optional.of(actions.life()));
           Substitution self = new Substitution(Self.is(member));
+          Device device = view.device().orElseThrow();
           own.pursueOnly(
-              view.device().orElseThrow().pursues().stream().map(self::apply).toList(),
-              Optional.empty());
+              device.pursues().stream().map(self::apply).toList(),
+              Stakes.of(device.worth(), self::apply));
         });
   }
 

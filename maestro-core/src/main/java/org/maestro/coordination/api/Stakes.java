@@ -2,6 +2,8 @@ package org.maestro.coordination.api;
 
 import java.time.Duration;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import org.maestro.ontology.home.StatedWorth;
 import org.maestro.sl.Expression;
 
 /**
@@ -28,6 +30,24 @@ public record Stakes(
   /** Stakes of which only the benefit is stated. */
   public Stakes(Expression benefit) {
     this(benefit, USUAL_CHANCE, Optional.empty(), USUAL_URGENCY_FROM, USUAL_URGENCY_TO);
+  }
+
+  /**
+   * Stakes as a home states them; none without a benefit.
+   *
+   * @param applied the benefit with values for its variables
+   */
+  public static Optional<Stakes> of(StatedWorth stated, UnaryOperator<Expression> applied) {
+    return stated
+        .benefit()
+        .map(
+            benefit ->
+                new Stakes(
+                    applied.apply(benefit),
+                    stated.chance().orElse(USUAL_CHANCE),
+                    stated.allowed(),
+                    USUAL_URGENCY_FROM,
+                    USUAL_URGENCY_TO));
   }
 
   public Stakes allowed(Duration time) {

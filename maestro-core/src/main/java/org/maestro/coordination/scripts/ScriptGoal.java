@@ -116,16 +116,7 @@ public final class ScriptGoal implements GoalOfGoals {
       return Optional.empty();
     }
     Scope scope = Course.scope(script, arguments, 1);
-    return script
-        .benefit()
-        .map(
-            benefit ->
-                new Stakes(
-                    scope.apply(benefit),
-                    script.chance().orElse(Stakes.USUAL_CHANCE),
-                    script.allowed(),
-                    Stakes.USUAL_URGENCY_FROM,
-                    Stakes.USUAL_URGENCY_TO));
+    return Stakes.of(script.worth(), scope::apply);
   }
 
   @Override

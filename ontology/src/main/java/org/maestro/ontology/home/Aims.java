@@ -60,6 +60,15 @@ final class Aims {
     return goals;
   }
 
+  /** What a node says that each of its goals is worth; {@code ?self} is the agent. */
+  StatedWorth worth(Node node) {
+    StatedWorth worth = new WorthReader(graph).read(node);
+    worth
+        .benefit()
+        .ifPresent(benefit -> check.checkExpression(node, "benefit", List.of(Self.NAME), benefit));
+    return worth;
+  }
+
   private boolean isScript(Formula goal) {
     return goal instanceof Formula.Atom atom && scripts.test(atom.predicate());
   }
@@ -87,16 +96,13 @@ final class Aims {
       graph.fault(
           node, "has no maestro:pursues", "state its goal, such as \"(keep ...)\" in MAESTRO-SL");
     }
-    WorthReader worth = new WorthReader(graph);
     return new Group(
         individual,
         literals.text(node, "container"),
         members,
         condition,
         goals,
-        worth.benefit(node),
-        worth.chance(node),
-        worth.allowed(node),
+        new WorthReader(graph).read(node),
         graph
             .object(node, Maestro.term("plans"))
             .filter(value -> Literals.term(value).equals(new Term.Truth(false)))

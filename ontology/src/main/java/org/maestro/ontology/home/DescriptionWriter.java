@@ -50,6 +50,10 @@ public final class DescriptionWriter {
       device.pursues().forEach(goal -> goals.add(SlPrinter.print(goal)));
       json.add("pursues", goals);
     }
+    StatedWorth worth = device.worth();
+    worth.benefit().ifPresent(benefit -> json.add("benefit", SlPrinter.print(benefit)));
+    worth.chance().ifPresent(chance -> json.add("chance", chance));
+    worth.allowed().ifPresent(time -> json.add("allowed", time.toString()));
     json.add("reports", FeatureWriter.namedFacts(device.reports()));
     JsonArrayBuilder offers = Json.createArrayBuilder();
     int order = 1;

@@ -24,6 +24,7 @@ import org.maestro.sl.Term;
  *     it means, such as {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code
  *     (in ?self ?zone)}
  * @param pursues goals that its agent has of its own accord, with {@code ?self} for the device
+ * @param worth of each of these goals
  * @param extension what its description brings beside the device itself
  */
 public record Device(
@@ -33,6 +34,7 @@ public record Device(
     List<FeatureType> features,
     Map<String, String> reports,
     List<Formula> pursues,
+    StatedWorth worth,
     Extension extension) {
   private static final List<Term> SELF = List.of(Self.VARIABLE);
 
@@ -42,7 +44,7 @@ public record Device(
     reports = Collections.unmodifiableMap(new TreeMap<>(reports));
   }
 
-  /** A device that speaks in the home's words. */
+  /** A device that speaks in the home's words, and says nothing of what its goals are worth. */
   public Device(
       Individual individual,
       Optional<String> container,
@@ -50,7 +52,15 @@ public record Device(
       List<FeatureType> features,
       Map<String, String> reports,
       List<Formula> pursues) {
-    this(individual, container, driver, features, reports, pursues, Extension.NONE);
+    this(
+        individual,
+        container,
+        driver,
+        features,
+        reports,
+        pursues,
+        StatedWorth.NONE,
+        Extension.NONE);
   }
 
   /** The same without goals of its own. */
@@ -110,12 +120,13 @@ public record Device(
         features,
         reports,
         pursues,
+        worth,
         extension);
   }
 
   /** The same device, whose description brings this. */
   public Device bringing(Extension more) {
-    return new Device(individual, container, driver, features, reports, pursues, more);
+    return new Device(individual, container, driver, features, reports, pursues, worth, more);
   }
 
   /** Whether its description brings a thing of this name. */

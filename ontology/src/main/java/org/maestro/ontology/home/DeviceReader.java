@@ -53,6 +53,7 @@ final class DeviceReader {
     Map<String, String> reports = new TreeMap<>();
     Map<String, Offer> offers = new LinkedHashMap<>();
     Set<Formula> pursues = new LinkedHashSet<>();
+    StatedWorth worth = StatedWorth.NONE;
     Aims aims = new Aims(graph, vocabulary, check, name -> false);
     for (Node layer : layers) {
       container = literals.text(layer, "container").or(orElse(container));
@@ -60,6 +61,7 @@ final class DeviceReader {
       reports = features.namedFacts(layer, "reports", reports);
       check.checkFacts(layer, "reports", List.of(Self.NAME));
       pursues.addAll(aims.pursued(layer));
+      worth = aims.worth(layer).or(worth);
       Set<String> special = new LinkedHashSet<>();
       for (Node offered : graph.objects(layer, OFFERS)) {
         typeOf(offered)
@@ -82,7 +84,15 @@ final class DeviceReader {
                 Comparator.comparingDouble(Offer::order).thenComparing(offer -> offer.type.name()))
             .map(Offer::type)
             .toList();
-    return new Device(individual, container, driver, types, reports, List.copyOf(pursues));
+    if (pursues.isEmpty() && !worth.equals(StatedWorth.NONE)) {
+      graph.fault(
+          node,
+          "says what its goals are worth, and has none",
+          "state one by maestro:pursues, or leave maestro:benefit, maestro:chance and"
+              + " maestro:allowed out");
+    }
+    return new Device(
+        individual, container, driver, types, reports, List.copyOf(pursues), worth, Extension.NONE);
   }
 
   private static <T> Supplier<Optional<T>> orElse(Optional<T> before) {

@@ -1,12 +1,10 @@
 package org.maestro.ontology.home;
 
-import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 
 /**
@@ -19,9 +17,7 @@ import org.maestro.sl.Formula;
  * @param memberWhen every device of which this is known to be true is a member too; its variable is
  *     {@code ?member}
  * @param pursues its goals, with {@code ?self} for the group; one may be a script of the home
- * @param benefit of each of its goals, in seconds of work; a script without it has its own
- * @param chance that they succeed, as long as they were never tried
- * @param allowed simulated time within which their urgency grows to the highest
+ * @param worth of each of its goals; a script without a benefit here has its own
  * @param plans whether its agent makes plans; else it carries out scripts of calls only
  */
 public record Group(
@@ -30,9 +26,7 @@ public record Group(
     Set<String> members,
     Optional<Formula> memberWhen,
     List<Formula> pursues,
-    Optional<Expression> benefit,
-    Optional<Double> chance,
-    Optional<Duration> allowed,
+    StatedWorth worth,
     boolean plans) {
   public Group {
     members = Collections.unmodifiableSet(new TreeSet<>(members));
@@ -46,16 +40,7 @@ public record Group(
       Set<String> members,
       Optional<Formula> memberWhen,
       List<Formula> pursues) {
-    this(
-        individual,
-        container,
-        members,
-        memberWhen,
-        pursues,
-        Optional.empty(),
-        Optional.empty(),
-        Optional.empty(),
-        true);
+    this(individual, container, members, memberWhen, pursues, StatedWorth.NONE, true);
   }
 
   public String id() {

@@ -38,7 +38,7 @@ final class GroupCheck {
     BodyCheck ofBenefit =
         new BodyCheck(
             home, offers, (problem, cure) -> fault(node, Maestro.term("benefit"), problem, cure));
-    group.benefit().ifPresent(benefit -> ofBenefit.names(THE_GROUP).check(benefit));
+    group.worth().benefit().ifPresent(benefit -> ofBenefit.names(THE_GROUP).check(benefit));
     BodyCheck ofGoals =
         new BodyCheck(home, offers, (problem, cure) -> fault(node, PURSUES, problem, cure));
     for (Formula goal : group.pursues()) {

@@ -35,6 +35,9 @@ final class IndividualReader {
           Maestro.term("driver"),
           Maestro.term("container"),
           Maestro.term("pursues"),
+          Maestro.term("benefit"),
+          Maestro.term("chance"),
+          Maestro.term("allowed"),
           Maestro.term("member"),
           Maestro.term("memberWhen"));
 

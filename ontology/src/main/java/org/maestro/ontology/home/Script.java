@@ -53,6 +53,11 @@ public record Script(
     this(name, name, parameters, body, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
+  /** What is said of its worth. */
+  public StatedWorth worth() {
+    return new StatedWorth(benefit, chance, allowed);
+  }
+
   /** How it is stated as a goal, with variables where values are to stand. */
   public String form() {
     StringBuilder form = new StringBuilder("(" + name);

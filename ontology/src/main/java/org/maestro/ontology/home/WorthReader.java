@@ -10,7 +10,7 @@ import org.maestro.sl.Expression;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
-/** Reads what a script, or a goal of a group agent, is worth (ADE, 4.1). */
+/** Reads what a script, or a goal that an agent has of its own accord, is worth (ADE, 4.1). */
 final class WorthReader {
   private final SourceGraph graph;
   private final Literals literals;
@@ -18,6 +18,10 @@ final class WorthReader {
   WorthReader(SourceGraph graph) {
     this.graph = graph;
     this.literals = new Literals(graph);
+  }
+
+  StatedWorth read(Node node) {
+    return new StatedWorth(benefit(node), chance(node), allowed(node));
   }
 
   Optional<Expression> benefit(Node node) {

@@ -321,6 +321,12 @@ public final class VocabularyCheck {
     check(node, property, untyped(variables), names -> names.check(formula));
   }
 
+  /** The same of an expression. */
+  public void checkExpression(
+      Node node, String property, Collection<String> variables, Expression expression) {
+    check(node, property, untyped(variables), names -> names.check(expression));
+  }
+
   /** The fact; one that cannot be read was noted when it was. */
   private static Optional<Fact> fact(Node text) {
     try {

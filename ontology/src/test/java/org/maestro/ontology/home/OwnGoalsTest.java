@@ -3,6 +3,8 @@ package org.maestro.ontology.home;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.time.Duration;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.sl.SlParser;
 
@@ -50,6 +52,48 @@ class OwnGoalsTest {
   }
 
   @Test
+  void aDeviceSaysWhatItsGoalsAreWorth() {
+    Home home =
+        load(
+            BOB.replace(
+                    ":power 17 .",
+                    ":power 17 ; maestro:pursues \"(>= (illuminance zone-b) 72)\" ;"
+                        + " maestro:benefit \"(* 40 (level ?self))\" ;"
+                        + " maestro:allowed \"PT10M\" .")
+                + "\n:Lamp maestro:benefit 30 ; maestro:chance 0.5 ;"
+                + " maestro:pursues \"(keep (not (= (level ?self) 0.25)))\" .");
+    Device lamp = home.devices().get("lamp-b2");
+
+    assertThat(lamp.worth())
+        .isEqualTo(
+            new StatedWorth(
+                Optional.of(SlParser.expression("(* 40 (level ?self))")),
+                Optional.of(0.5),
+                Optional.of(Duration.ofMinutes(10))));
+    assertThat(home.devices().get("lamp-b1").worth().benefit()).contains(SlParser.expression("30"));
+    assertThat(lamp.individual().properties()).doesNotContainKeys("benefit", "chance", "allowed");
+    assertThat(
+            new DescriptionReader(home.vocabulary())
+                .read(new DescriptionWriter(home).write(lamp), "lamp-b2"))
+        .isEqualTo(lamp);
+  }
+
+  @Test
+  void aFaultyWorthOfADeviceIsNamedWithItsCure() {
+    String pursues = "maestro:pursues \"(>= (illuminance zone-b) 72)\" ; ";
+    assertWorth("maestro:benefit 30", "says what its goals are worth, and has none; state one by");
+    assertWorth(pursues + "maestro:benefit -3", "is less than nothing");
+    assertWorth(pursues + "maestro:benefit \"(levl ?self)\"", "uses the unknown fluent levl");
+    assertWorth(pursues + "maestro:benefit 1 ; maestro:chance 2", "is not a number from 0 to 1");
+    assertWorth(pursues + "maestro:benefit 1 , 2", "is stated more than once; keep one");
+  }
+
+  private static void assertWorth(String stated, String problem) {
+    assertThatThrownBy(() -> load(BOB.replace(":power 17 .", ":power 17 ; " + stated + " .")))
+        .hasMessageContaining(problem);
+  }
+
+  @Test
   void aFaultyGoalIsNamedWithItsCure() {
     assertFault("\"(keep (>= (illuminanse zone-b) 72))\"", "uses the unknown fluent illuminanse");
     assertFault("\"(keep (>= (illuminance zone-c) 72))\"", "names zone-c, which is not described");
@@ -86,7 +130,7 @@ class OwnGoalsTest {
             .get("keeper");
 
     assertThat(keeper.pursues()).containsExactly(SlParser.formula("(light zone-b)"));
-    assertThat(keeper.benefit()).contains(SlParser.expression("60"));
+    assertThat(keeper.worth().benefit()).contains(SlParser.expression("60"));
     assertThat(keeper.plans()).isFalse();
   }
 

@@ -31,6 +31,8 @@ class KeysOfDescriptionsTest {
           "hostNeeds",
           "order",
           "pursues",
+          "benefit",
+          "allowed",
           "pose",
           "position",
           "viewAngle",

@@ -161,6 +161,23 @@ class OwnAccordTest {
   }
 
   @Test
+  void aLampSaysWhatItsWishIsWorth() {
+    String wish =
+        ":Lamp ; rdfs:label \"lamp B1\"@en ; maestro:pursues \"(>= (level ?self) 0.5)\" ;"
+            + " maestro:benefit \"(+ 60 (level ?self))\" ; maestro:chance 0.5 ;";
+    try (Stage stage = stage("worth", "", ":Lamp ; rdfs:label \"lamp B1\"@en ;", wish)) {
+      List<StoryEntry> story = listen(stage);
+      stage.await("the lamp is lit", () -> stage.world().lampLevel("lamp-b1") >= 0.5);
+
+      assertThat(story)
+          .anyMatch(
+              entry ->
+                  entry.goalId().equals("lamp-b1-1")
+                      && entry.text().startsWith("Worth: u = 0.5·60 − "));
+    }
+  }
+
+  @Test
   void theGoalsOfACentralAgentGoOnWithTheNextOne() {
     try (Stage stage = stage("heirs", "")) {
       Pursuit light = stage.begin("(keep (>= (illuminance zone-b) 72))");
