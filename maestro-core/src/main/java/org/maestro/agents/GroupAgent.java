@@ -164,6 +164,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
         case "inform" -> memberNews(message, words);
         case "yield" -> goals.askedToYield(message, words);
         case "cancel" -> new OwnGoalRequests(this, goals).cancel(message, words);
+        case "answer" -> new OwnGoalRequests(this, goals).answer(message, words);
         case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();
         default ->
@@ -173,7 +174,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
                 group.id()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows inform, yield, cancel, query-ref and subscribe.");
+                    + "; it knows inform, yield, cancel, answer, query-ref and subscribe.");
       }
     }
   }

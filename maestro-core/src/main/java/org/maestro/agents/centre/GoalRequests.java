@@ -11,10 +11,12 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.HeldReport;
+import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
@@ -187,14 +189,7 @@ public final class GoalRequests {
     String id = words.string("goal").orElse("");
     Optional<AID> owner = others.owner(id);
     if (owner.isPresent() && !agent.isFromOtherPlatform(message)) {
-      agent.ask(
-          agent.message(ACLMessage.REQUEST, owner.get(), named("cancel", id)),
-          agent.patience(agent.patience().agreement()),
-          answer ->
-              agent.reply(
-                  message,
-                  answer.getPerformative(),
-                  Words.parse(answer.getContent()).toArray(Content[]::new)));
+      forward(message, owner.get(), named("cancel", id));
       return;
     }
     Optional<String> person = words.string("for");
@@ -218,9 +213,21 @@ public final class GoalRequests {
     }
   }
 
+  /** Has another agent answer. */
+  private void forward(ACLMessage message, AID to, Content request) {
+    agent.ask(
+        agent.message(ACLMessage.REQUEST, to, request),
+        agent.patience(agent.patience().agreement()),
+        answer ->
+            agent.reply(
+                message,
+                answer.getPerformative(),
+                Words.parse(answer.getContent()).toArray(Content[]::new)));
+  }
+
   /**
-   * An answer to a question of a script, by who may state goals; told back is when it is taken, or
-   * why it is not.
+   * An answer to a question of a script, also of one of another agent, by who may state goals; told
+   * back is when it is taken, or why it is not.
    */
   public void answer(ACLMessage message, Words words) {
     Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
@@ -228,26 +235,22 @@ public final class GoalRequests {
       return;
     }
     String question = words.string("question").orElse("");
+    String text = words.string("text").orElse("");
+    Optional<AID> owner = others.owner(GoalId.whole(question));
+    if (owner.isPresent()) {
+      forward(
+          message, owner.get(), SpeechWords.answer(question, text, Optional.of(caller.toString())));
+      return;
+    }
     coordinator.answer(
         question,
-        words.string("text").orElse(""),
+        text,
         caller.toString(),
-        refusal -> {
-          if (refusal.isPresent()) {
+        refusal ->
             agent.reply(
                 message,
-                ACLMessage.REFUSE,
-                Words.content(
-                    "inform",
-                    Words.named("reason", Words.text(refusal.get().reason())),
-                    Words.named("open", Words.name(String.valueOf(refusal.get().isOpen())))));
-          } else {
-            agent.reply(
-                message,
-                ACLMessage.INFORM,
-                Words.content("inform", Words.named("answered", Words.name(question))));
-          }
-        });
+                refusal.isPresent() ? ACLMessage.REFUSE : ACLMessage.INFORM,
+                SpeechWords.verdict(question, refusal)));
   }
 
   private boolean isOf(String id, String requester) {

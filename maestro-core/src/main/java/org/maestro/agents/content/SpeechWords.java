@@ -3,6 +3,7 @@ package org.maestro.agents.content;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
@@ -72,7 +73,23 @@ public final class SpeechWords {
         : Optional.empty();
   }
 
-  /** An answer to a question, as it comes to the central agent. */
+  /**
+   * What becomes of an answer, for who gave it.
+   *
+   * @param refusal empty when it is taken
+   */
+  public static Content verdict(String part, Optional<AnswerRefusal> refusal) {
+    return refusal
+        .map(
+            why ->
+                Words.content(
+                    "inform",
+                    Words.named("reason", Words.text(why.reason())),
+                    Words.named("open", Words.name(String.valueOf(why.isOpen())))))
+        .orElseGet(() -> Words.content("inform", Words.named("answered", Words.name(part))));
+  }
+
+  /** An answer to a question, as it comes to the agent whose script asks. */
   public static Content answer(String part, String text, Optional<String> person) {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("question", Words.name(part)));

@@ -1,8 +1,10 @@
 package org.maestro.agents.goals;
 
 import jade.lang.acl.ACLMessage;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.sl.Content;
@@ -30,6 +32,31 @@ public final class OwnGoalRequests {
           ACLMessage.REFUSE,
           agent.getLocalName() + " has no goal " + Replies.shortened(id) + " that goes on.");
     }
+  }
+
+  /**
+   * An answer to a question of one of its scripts. The central agent passes it on, who knows
+   * whether the one may answer for whom it speaks; nobody else is heard.
+   */
+  public void answer(ACLMessage message, Words words) {
+    if (!Replies.sender(message).equals(AgentNames.COORDINATOR)) {
+      agent.refuse(
+          message,
+          ACLMessage.REFUSE,
+          "%s takes answers from the %s only; answer there."
+              .formatted(agent.getLocalName(), AgentNames.COORDINATOR));
+      return;
+    }
+    String question = words.string("question").orElse("");
+    goals.answer(
+        question,
+        words.string("text").orElse(""),
+        words.string("for").orElse(AgentNames.COORDINATOR),
+        refusal ->
+            agent.reply(
+                message,
+                refusal.isPresent() ? ACLMessage.REFUSE : ACLMessage.INFORM,
+                SpeechWords.verdict(question, refusal)));
   }
 
   public void list(ACLMessage message) {

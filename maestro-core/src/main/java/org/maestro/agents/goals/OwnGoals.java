@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.agents.calls.OwnMember;
 import org.maestro.agents.content.AgentNames;
@@ -16,6 +17,7 @@ import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
@@ -28,6 +30,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 import org.slf4j.Logger;
@@ -88,7 +91,7 @@ public final class OwnGoals {
             clock,
             new ReasoningServices(
                 new ScopedKnowledge(mind.knowledge(), scope), lacking, mind.decisionTime()),
-            story,
+            entry -> told(entry, story),
             journal,
             prefix,
             (goal, sentence) -> LOG.warn("{}: {}", goal, sentence),
@@ -194,6 +197,20 @@ public final class OwnGoals {
     return find(goalId).filter(found -> found.cancel(who)).isPresent();
   }
 
+  /** See {@link Coordinator#answer}. */
+  void answer(String part, String text, String who, Consumer<Optional<AnswerRefusal>> then) {
+    deliberation
+        .coordinator()
+        .answer(
+            part,
+            text,
+            who,
+            refusal -> {
+              tellCentre();
+              then.accept(refusal);
+            });
+  }
+
   List<GoalStatus> statuses() {
     return deliberation.coordinator().goals();
   }
@@ -202,6 +219,14 @@ public final class OwnGoals {
   public void centreReturned() {
     tellCentre();
     goals.values().forEach(Own::centreReturned);
+  }
+
+  /** The list of goals tells who waits for an answer, too. */
+  private void told(StoryEntry entry, Story story) {
+    story.tell(entry);
+    if (entry.kind() == StoryEntry.Kind.SAID) {
+      agent.tell(this::tellCentre);
+    }
   }
 
   /** So that the list of goals is whole. */
