@@ -157,6 +157,24 @@ class AgendaTest {
     assertThat(house.outcomes.get(reached).reached()).as(house.told()).isTrue();
   }
 
+  /** It ends with what it was wanted for, done by whoever it was. */
+  @Test
+  void whatComesAboutByItsEndIsReached() {
+    house().with("Mug", "zone-c");
+    String self = house.wish("(until (not (in Cup zone-b)) (after 10 (not (in Cup zone-b))))");
+    house.run(1, Duration.ofMinutes(5));
+    assertThat(house.outcomes.get(self).state()).as(house.told()).isEqualTo(GoalState.ACHIEVED);
+    assertThat(house.told()).doesNotContain("Not reached");
+
+    String before = house.wish("(until (not (in Mug zone-c)) (after 600 (not (in Mug zone-c))))");
+    house.clock.run(Duration.ofSeconds(5));
+    told("(not (in Mug zone-c))");
+    house.run(2, Duration.ofMinutes(1));
+    assertThat(house.outcomes.get(before).reasons())
+        .containsExactly("It was so when it ended, at or by (not (in Mug zone-c)).");
+    assertThat(house.told()).contains(before + " END Reached, but not seen.");
+  }
+
   @Test
   void untilSomethingIsSo() {
     house().with("Mug", "zone-c");

@@ -102,15 +102,30 @@ final class UntilThen implements Vigil {
   }
 
   private void ends(String id, String end) {
-    boolean isKept = entry.isHolding(id);
-    if (isKept) {
-      entry.tell(StoryEntry.Kind.HELD, "It was kept until " + end + ".");
+    String kept = "It was kept until " + end + ".";
+    String who = entry.id() + ", since it was wanted until " + end;
+    if (entry.isHolding(id)) {
+      entry.tell(StoryEntry.Kind.HELD, kept);
+      entry.end(GoalState.ACHIEVED, kept, who);
+    } else if (isReached()) {
+      entry.end(GoalState.ACHIEVED, "It was so when it ended, at or by " + end + ".", who);
+    } else {
+      entry.end(GoalState.FAILED, "It was not so when it ended, at or by " + end + ".", who);
     }
-    entry.end(
-        isKept ? GoalState.ACHIEVED : GoalState.FAILED,
-        isKept
-            ? "It was kept until " + end + "."
-            : "It was not so when it ended, at or by " + end + ".",
-        entry.id() + ", since it was wanted until " + end);
+  }
+
+  /** What is wanted once may come about by what ends it, before who pursues it hears of that. */
+  private boolean isReached() {
+    Formula wanted = until.goal();
+    while (wanted instanceof Formula.Upon upon && isOnce(upon.occasion())) {
+      wanted = upon.goal();
+    }
+    return !(wanted instanceof Formula.Keep || wanted instanceof Formula.Bound)
+        && !new Instances(wanted, entry.known()).all().isEmpty();
+  }
+
+  private static boolean isOnce(Occasion occasion) {
+    return !(occasion instanceof Occasion.Event
+        || occasion instanceof Occasion.At at && !at.every().isEmpty());
   }
 }
