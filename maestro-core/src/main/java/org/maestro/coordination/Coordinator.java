@@ -34,6 +34,7 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.ScriptStep;
+import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.composites.CompositeActions;
@@ -55,6 +56,7 @@ import org.maestro.coordination.story.PlanRecords;
 import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
+import org.maestro.ontology.home.PrivateWords;
 import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
@@ -221,7 +223,8 @@ public final class Coordinator {
         (wish, with, then) ->
             new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
     Optional<Script> script = ScriptGoal.script(request.goal(), ports.knowledge().home().scripts());
-    Ports world = usesScripts() ? composites.ports() : ports;
+    Set<String> kept = privateWords(request);
+    Ports world = keeping(kept, usesScripts() ? composites.ports() : ports);
     ActiveGoal pursuit =
         script.isPresent()
             ? new ScriptGoal(
@@ -229,7 +232,7 @@ public final class Coordinator {
                 request,
                 script.get(),
                 standing,
-                usesScripts() ? composites.within(script.get()) : ports,
+                keeping(kept, usesScripts() ? composites.within(script.get()) : ports),
                 activeGoals,
                 new PartsOfScripts(),
                 over)
@@ -243,7 +246,7 @@ public final class Coordinator {
                     heard -> ports.journal().afterwards(() -> news.accept(heard)),
                     over)
                 : request.goal() instanceof Formula.Bound
-                    ? new EntryGoal(id, request, ports, activeGoals, begun, over)
+                    ? new EntryGoal(id, request, keeping(kept, ports), activeGoals, begun, over)
                     : reaching.pursuit(request, world, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
@@ -252,6 +255,21 @@ public final class Coordinator {
     }
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
+  }
+
+  private Set<String> privateWords(GoalRequest request) {
+    PrivateWords words = PrivateWords.of(ports.knowledge().home());
+    return request
+        .stakes()
+        .map(stakes -> words.usedFor(request.goal(), stakes.benefit()))
+        .orElseGet(() -> words.usedFor(request.goal()));
+  }
+
+  /** What is told of a goal that uses private words is not for everybody. */
+  private static Ports keeping(Set<String> words, Ports world) {
+    return words.isEmpty()
+        ? world
+        : world.with((Story) entry -> world.story().tell(entry.using(words)));
   }
 
   /** Only the central coordinator has all devices that a script may use. */

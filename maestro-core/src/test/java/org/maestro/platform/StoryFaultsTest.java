@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.coordination.api.StoryEntry;
@@ -46,6 +47,18 @@ class StoryFaultsTest {
       story.tell(told(8));
     }
     assertThat(kept()).containsExactly("Step 1", "Step 4", "Step 8");
+  }
+
+  @Test
+  void whatIsPrivateIsSoAfterARestart() {
+    StoryEntry entry = told(1).using(Set.of("prefers", "age"));
+    try (StoryFile story = StoryFile.open(directory, new SteppedClock())) {
+      story.tell(entry);
+      story.tell(told(2));
+    }
+    assertThat(new StoryFile(directory).read("G1"))
+        .extracting(StoryEntry::privateWords)
+        .containsExactly(Set.of("prefers", "age"), Set.of());
   }
 
   @Test

@@ -23,6 +23,7 @@ import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -39,6 +40,7 @@ public final class GoalRequests {
   private final ToldStories stories;
   private final Endings endings;
   private final PlanRequests plans;
+  private final PrivateGoals privately;
   private final GoalsOfOthers others = new GoalsOfOthers();
   private final Map<String, Formula> takenUp = new HashMap<>();
 
@@ -50,6 +52,7 @@ public final class GoalRequests {
     this.stories = stories;
     this.endings = new Endings(agent::reply);
     this.plans = new PlanRequests(agent, coordinator);
+    this.privately = new PrivateGoals(knowledge, agent::getHap);
   }
 
   /** Goals of who was the central agent before are asked for here from now on. */
@@ -83,7 +86,8 @@ public final class GoalRequests {
     }
     Formula goal = stated.get();
     Caller requester = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
-    if (!mayAsk(requester, message)) {
+    if (!mayAsk(requester, message)
+        || isKeptBack(message, privately.objection(message, words, goal))) {
       return;
     }
     try {
@@ -261,8 +265,11 @@ public final class GoalRequests {
   /** The story of a goal, as far as it was told and from then on. */
   public void subscribe(ACLMessage message, Words words) {
     String id = words.string("story").orElse("");
+    if (isPrivate(message, words, id)) {
+      return;
+    }
     if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
-      stories.subscribe(message, id);
+      stories.subscribe(message, id, privately.rights(message, words));
     } else {
       agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
     }
@@ -272,6 +279,8 @@ public final class GoalRequests {
     String id = words.string("goal").orElse("");
     if (!stories.goals().contains(id)) {
       agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
+    } else if (isPrivate(message, words, id)) {
+      return;
     } else if (words.find("step").isPresent()) {
       coordinator.explainChoice(
           id,
@@ -293,6 +302,9 @@ public final class GoalRequests {
     Optional<String> planned = PlanRequests.goal(words);
     if (planned.isPresent()) {
       String id = planned.get();
+      if (isPrivate(message, words, id)) {
+        return;
+      }
       if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
         plans.answer(message, words, id);
       } else {
@@ -307,7 +319,22 @@ public final class GoalRequests {
       coordinator.goals().forEach(goal -> lines.add(GoalWords.status(goal)));
       lines.addAll(others.statuses());
     }
-    agent.reply(message, ACLMessage.INFORM, lines.toArray(Content[]::new));
+    ReadingRights rights = privately.rights(message, words);
+    agent.reply(
+        message,
+        ACLMessage.INFORM,
+        lines.stream().map(line -> privately.line(line, rights)).toArray(Content[]::new));
+  }
+
+  /** Whether who asks is refused, as the goal uses what is private to him. */
+  private boolean isPrivate(ACLMessage message, Words words, String id) {
+    return isKeptBack(
+        message, privately.rights(message, words).objection(stories.privateWords(id)));
+  }
+
+  private boolean isKeptBack(ACLMessage message, Optional<String> objection) {
+    objection.ifPresent(reason -> agent.refuse(message, ACLMessage.REFUSE, reason));
+    return objection.isPresent();
   }
 
   private String noSuchGoal(String id) {

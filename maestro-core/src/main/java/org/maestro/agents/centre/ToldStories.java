@@ -14,6 +14,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Content;
 
 /**
@@ -32,7 +33,7 @@ public final class ToldStories {
   private static final long MOST_BYTES_OF_EACH = 256 << 10;
   private static final long BYTES_OF_AN_ENTRY = 160;
 
-  private record Subscription(String goalId, ACLMessage request) {}
+  private record Subscription(String goalId, ACLMessage request, ReadingRights rights) {}
 
   /**
    * @param past what was told by who was the central agent before
@@ -80,6 +81,7 @@ public final class ToldStories {
     note(entry);
     subscriptions.stream()
         .filter(s -> s.goalId().equals(entry.goalId()))
+        .filter(s -> s.rights().objection(entry.privateWords()).isEmpty())
         .forEach(s -> inform(s.request(), entry));
     if (entry.kind() == StoryEntry.Kind.END) {
       ended.accept(entry.goalId());
@@ -113,15 +115,25 @@ public final class ToldStories {
     String text = sentence + ".";
     List<StoryEntry> story = story(goalId);
     if (!isOver(story) && story.stream().noneMatch(entry -> entry.text().equals(text))) {
-      told(new StoryEntry(goalId, agent.clock().now(), StoryEntry.Kind.MISCONDUCT, text));
+      told(
+          new StoryEntry(goalId, agent.clock().now(), StoryEntry.Kind.MISCONDUCT, text)
+              .using(privateWords(goalId)));
     }
   }
 
-  void subscribe(ACLMessage message, String id) {
+  /** Those that its goal uses. */
+  Set<String> privateWords(String goalId) {
+    return story(goalId).stream().findFirst().map(StoryEntry::privateWords).orElse(Set.of());
+  }
+
+  /**
+   * @param rights of who subscribes
+   */
+  void subscribe(ACLMessage message, String id, ReadingRights rights) {
     List<StoryEntry> told = story(id);
     told.forEach(entry -> inform(message, entry));
     if (!isOver(told)) {
-      subscriptions.add(new Subscription(id, message));
+      subscriptions.add(new Subscription(id, message, rights));
     }
   }
 

@@ -36,7 +36,7 @@ final class Layout {
 
   private void addInTurn(List<Body> steps, String path, int depth) {
     for (int i = 0; i < steps.size(); i++) {
-      add(steps.get(i), Part.below(path, i + 1), depth, NOTHING);
+      add(steps.get(i), Place.below(path, i + 1), depth, NOTHING);
     }
   }
 
@@ -49,38 +49,38 @@ final class Layout {
     if (body instanceof Body.Seq || body instanceof Body.Par) {
       addInTurn(body.parts(), path, within);
     } else if (body instanceof Body.If choice) {
-      add(choice.then(), Part.below(path, Choice.THEN), within, NOTHING);
+      add(choice.then(), Place.below(path, Choice.THEN), within, NOTHING);
       choice
           .otherwise()
-          .ifPresent(other -> add(other, Part.below(path, Choice.OTHERWISE), within, "else "));
+          .ifPresent(other -> add(other, Place.below(path, Choice.OTHERWISE), within, "else "));
     } else if (body instanceof Body.While || body instanceof Body.ForEach) {
-      add(body.parts().get(0), Part.below(path, 1), within, NOTHING);
+      add(body.parts().get(0), Place.below(path, 1), within, NOTHING);
     } else if (body instanceof Body.Let let) {
       if (let.source() instanceof Body.Run run) {
-        add(run, Part.below(path, Let.SOURCE), within, NOTHING);
+        add(run, Place.below(path, Let.SOURCE), within, NOTHING);
       }
-      addInTurn(let.parts(), Part.below(path, Let.PARTS), within);
+      addInTurn(let.parts(), Place.below(path, Let.PARTS), within);
     } else if (body instanceof Body.Try attempt) {
       addTry(attempt, path, within);
     } else if (body instanceof Body.Hold hold) {
-      addInTurn(hold.parts(), Part.below(path, Holding.STEPS), within);
+      addInTurn(hold.parts(), Place.below(path, Holding.STEPS), within);
     } else if (body instanceof Body.Ask ask) {
       // What comes after a question knows the answer; it is not a step of the question to people.
-      addInTurn(ask.parts(), Part.below(path, Asking.PARTS), depth);
+      addInTurn(ask.parts(), Place.below(path, Asking.PARTS), depth);
     }
   }
 
   private void addTry(Body.Try attempt, String path, int depth) {
-    add(attempt.body(), Part.below(path, Attempt.TRIED), depth, NOTHING);
+    add(attempt.body(), Place.below(path, Attempt.TRIED), depth, NOTHING);
     for (int i = 0; i < attempt.recoveries().size(); i++) {
       Body.Recovery recovery = attempt.recoveries().get(i);
       Optional<String> reason = recovery.reason().map(text -> SlPrinter.print(new Term.Text(text)));
       add(
           recovery.body(),
-          Part.below(path, Attempt.RECOVERIES + i),
+          Place.below(path, Attempt.RECOVERIES + i),
           depth,
           "recover " + reason.map(text -> text + " ").orElse(""));
     }
-    attempt.last().ifPresent(last -> add(last, Part.below(path, Attempt.LAST), depth, "finally "));
+    attempt.last().ifPresent(last -> add(last, Place.below(path, Attempt.LAST), depth, "finally "));
   }
 }

@@ -84,11 +84,6 @@ abstract class Part {
 
   /** The path of what is below it, counted from 1. */
   final String below(int number) {
-    return below(path, number);
-  }
-
-  /** The same of another. */
-  static String below(String path, int number) {
-    return path.isEmpty() ? String.valueOf(number) : path + "." + number;
+    return Place.below(path, number);
   }
 }

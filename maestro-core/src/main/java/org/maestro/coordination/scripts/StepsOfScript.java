@@ -39,7 +39,7 @@ final class StepsOfScript {
       if (steps.get(i).path().equals(path)) {
         int depth = steps.get(i).depth() + 1;
         steps.removeIf(below(path));
-        steps.addAll(i + 1, Layout.of(body, Part.below(path, number), depth));
+        steps.addAll(i + 1, Layout.of(body, Place.below(path, number), depth));
         return;
       }
     }
@@ -83,7 +83,8 @@ final class StepsOfScript {
   }
 
   private static Predicate<ScriptStep> below(String path) {
-    return step -> path.isEmpty() || step.path().startsWith(path + ".");
+    String begin = path.isEmpty() ? "" : path + ".";
+    return step -> step.path().startsWith(begin);
   }
 
   private void change(Predicate<ScriptStep> meant, UnaryOperator<ScriptStep> now) {

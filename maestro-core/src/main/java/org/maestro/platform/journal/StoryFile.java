@@ -17,6 +17,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -87,6 +88,9 @@ public final class StoryFile implements Story, AutoCloseable {
         clock -> line.put("since", clock.since().toString()).put("speed", clock.speed()));
     line.put("kind", entry.kind().name());
     line.put("text", entry.text());
+    if (!entry.privateWords().isEmpty()) {
+      new TreeSet<>(entry.privateWords()).forEach(line.putArray("private")::add);
+    }
     byte[] text = (VisibleText.line(line.toString()) + "\n").getBytes(StandardCharsets.UTF_8);
     aside.add(text.length, () -> write(entry.goalId(), text));
   }
@@ -167,10 +171,13 @@ public final class StoryFile implements Story, AutoCloseable {
 
   private static StoryEntry entry(JsonNode line, Timeline wanted) {
     Duration at = Duration.ofMillis(Math.round(line.path("at_s").asDouble() * 1000));
+    Set<String> words = new TreeSet<>();
+    line.path("private").forEach(word -> words.add(word.asText()));
     return new StoryEntry(
         line.path("goal").asText(),
         timeline(line).translate(at, wanted),
         StoryEntry.Kind.valueOf(line.path("kind").asText()),
-        line.path("text").asText());
+        line.path("text").asText(),
+        words);
   }
 }

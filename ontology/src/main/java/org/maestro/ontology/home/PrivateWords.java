@@ -2,6 +2,7 @@ package org.maestro.ontology.home;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -9,6 +10,7 @@ import java.util.function.Predicate;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.TakenFrom;
 import org.maestro.ontology.vocabulary.Vocabulary;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Leaves;
 
@@ -19,10 +21,13 @@ import org.maestro.sl.Leaves;
 public final class PrivateWords {
   private final Vocabulary vocabulary;
   private final List<Permission> readers;
+  private final Map<String, Script> scripts;
   private final Set<String> all;
 
-  private PrivateWords(Vocabulary vocabulary, List<Permission> readers) {
+  private PrivateWords(
+      Vocabulary vocabulary, Map<String, Script> scripts, List<Permission> readers) {
     this.vocabulary = vocabulary;
+    this.scripts = scripts;
     this.readers = readers;
     this.all = kept(word -> false);
   }
@@ -30,6 +35,7 @@ public final class PrivateWords {
   public static PrivateWords of(Home home) {
     return new PrivateWords(
         home.vocabulary(),
+        home.scripts(),
         home.of("Permission").stream()
             .map(Permission::of)
             .filter(permission -> !permission.reads().isEmpty())
@@ -39,6 +45,26 @@ public final class PrivateWords {
   /** All of them, by name. */
   public Set<String> all() {
     return all;
+  }
+
+  /** Those that a goal speaks of, or the scripts use that it asks for. */
+  public Set<String> usedFor(Formula goal) {
+    return used(new UsedWords(scripts).add(goal));
+  }
+
+  /**
+   * The same, and those of what it is worth.
+   *
+   * @param benefit as it is stated
+   */
+  public Set<String> usedFor(Formula goal, Expression benefit) {
+    return used(new UsedWords(scripts).add(goal).add(benefit));
+  }
+
+  private Set<String> used(UsedWords words) {
+    Set<String> used = new TreeSet<>(words.all());
+    used.retainAll(all);
+    return used;
   }
 
   /**

@@ -57,6 +57,30 @@ class PrivateWordsTest {
   }
 
   @Test
+  void whatAGoalUsesIsWhatItSpeaksOfAndWhatItsScriptsReadOrState() {
+    PrivateWords words =
+        PrivateWords.of(
+            home(
+                PRIVATE
+                    + """
+                    home:outer a maestro:Script ; maestro:arguments () ;
+                      maestro:body "(try (run inner) (finally (wait 1)))" .
+                    home:inner a maestro:Script ; maestro:arguments () ;
+                      maestro:body "(let ?s (one (?s - Show) (prefers dave-evenings ?s)) (assert (assign (age Dave) 7)))" .
+                    home:harmless a maestro:Script ; maestro:arguments () ; maestro:body "(wait 1)" .
+                    """));
+
+    assertThat(words.usedFor(SlParser.formula("(outer)"))).containsExactly("age", "prefers");
+    assertThat(words.usedFor(SlParser.formula("(at \"18:00\" (inner))")))
+        .containsExactly("age", "prefers");
+    assertThat(words.usedFor(SlParser.formula("(keep (not (likesNews dave-evenings)))")))
+        .containsExactly("likesNews");
+    assertThat(words.usedFor(SlParser.formula("(harmless)"))).isEmpty();
+    assertThat(words.usedFor(SlParser.formula("(harmless)"), SlParser.expression("(age Dave)")))
+        .containsExactly("age");
+  }
+
+  @Test
   void aQuestionInPrivateWordsIsRefusedInOneSentenceHoweverItHidesThem() {
     ReadingRights rights = rights("", "thief");
     for (String question :

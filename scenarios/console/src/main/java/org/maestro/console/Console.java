@@ -78,7 +78,7 @@ public final class Console implements AutoCloseable {
             data.map(directory -> directory.resolve("console")), platform::now, platform.speed());
     EventHub events =
         new EventHub(
-            questions,
+            questions.of(readership.nameOfAll()),
             platform.knowledge(),
             readership,
             Map.of("health", health::document, "states", states::document),
@@ -86,7 +86,7 @@ public final class Console implements AutoCloseable {
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic =
         new Traffic(platform, name, observer, after -> history.answered(Answerer.MEMBERS, after));
-    Talk talk = new Talk(platform, questions);
+    Talk talk = new Talk(platform, questions.of(readership.nameOfAll()), readership);
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
     OneByOne lookingBack =
@@ -104,7 +104,7 @@ public final class Console implements AutoCloseable {
                     queries::of)
                 .operations());
     operations.addAll(new SessionOperations(access).operations());
-    operations.addAll(PlanOperations.of(questions, platform::now));
+    operations.addAll(PlanOperations.of(questions, readership, platform::now));
     operations.addAll(states.operations());
     operations.addAll(traffic.operations());
     operations.addAll(talk.operations());

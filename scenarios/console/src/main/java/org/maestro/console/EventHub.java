@@ -136,7 +136,11 @@ final class EventHub implements EventSource, AutoCloseable {
   /** A sentence of a story; any thread may bring it. */
   void told(StoryEntry entry) {
     goalsAreNew.set(true);
-    later(() -> listeners.tell("story", StoryDocument.of(entry)));
+    later(
+        () ->
+            readership
+                .toAll(entry)
+                .ifPresent(told -> listeners.tell("story", StoryDocument.of(told))));
   }
 
   /** After the end nobody is told anything. */

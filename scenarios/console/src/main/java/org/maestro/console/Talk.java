@@ -6,6 +6,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.stream.Stream;
+import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation;
 import org.maestro.console.chat.Chat;
 import org.maestro.console.chat.GoalStories;
@@ -17,6 +18,7 @@ import org.maestro.platform.MaestroPlatform;
 /** The conversations with persons of the home, for who takes part in them. */
 final class Talk implements AutoCloseable {
   private final MaestroPlatform platform;
+  private final Readership readership;
   private final GoalStories stories = new GoalStories();
   private final Chat chat;
   private final Moods moods = new Moods();
@@ -30,8 +32,9 @@ final class Talk implements AutoCloseable {
   private final Broadcast news;
   private List<Future<?>> rounds = List.of();
 
-  Talk(MaestroPlatform platform, AclQuestions questions) {
+  Talk(MaestroPlatform platform, AclQuestions questions, Readership readership) {
     this.platform = platform;
+    this.readership = readership;
     this.chat =
         new Chat(
             platform.knowledge()::home,
@@ -51,7 +54,7 @@ final class Talk implements AutoCloseable {
 
   /** From now on it is told how goals fare, and what scripts say. */
   void begin() {
-    platform.onStory(stories);
+    platform.onStory(entry -> readership.toAll(entry).ifPresent(stories::tell));
     platform.desk().whenSaid(chat::hear);
     platform
         .desk()

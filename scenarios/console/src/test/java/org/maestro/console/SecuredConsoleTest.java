@@ -34,8 +34,8 @@ class SecuredConsoleTest {
   private static final Duration LIMIT = Duration.ofSeconds(60);
 
   /**
-   * Alice may have everybody asked, and is told what Dave likes; the others have no permission in
-   * the home.
+   * Alice may have everybody asked, and is told what Dave likes; Erin may have everybody asked; the
+   * others have no permission in the home.
    */
   private static final String PERMISSIONS =
       """
@@ -46,6 +46,9 @@ class SecuredConsoleTest {
       home:Opera a :Show ; rdfs:label "the opera"@en .
       home:dave-evenings a :Preference ; rdfs:label "what Dave likes in the evening"@en ;
         :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
+      home:erinAsks a maestro:Permission ; maestro:caller "erin" .
+      home:suit a maestro:Script ; maestro:arguments () ;
+        maestro:body "(let ?show (one (?s - Show) (prefers dave-evenings ?s)) (wait 0.1))" .
       home:aliceIsTold a maestro:Permission ; maestro:caller "alice" ; maestro:reads :prefers .
       """;
 
@@ -64,6 +67,7 @@ class SecuredConsoleTest {
             files,
             Map.of(
                 "alice", Role.OPERATOR,
+                "erin", Role.OPERATOR,
                 "mallory", Role.OPERATOR,
                 "screen", Role.VIEWER,
                 "carol", Role.ADMINISTRATOR,
@@ -223,6 +227,57 @@ class SecuredConsoleTest {
       assertThat(refused.problem()).contains(sentence).doesNotContain("Opera");
     }
     assertThat(home.send(posting(as("alice", "/queries"), query)).status()).isEqualTo(200);
+  }
+
+  /** What a script uses, and what a goal speaks of, stands in their stories. */
+  @Test
+  void goalsThatUseWhatIsPrivateAreToldOfByPermissionToo() throws Exception {
+    String script = stated("alice", "(suit)");
+    String goal = stated("alice", "(prefers dave-evenings Opera)");
+    for (String id : List.of(script, goal)) {
+      await(() -> row("alice", id).path("state").asText().equals("achieved"));
+      assertThat(home.send(as("alice", "/goals/" + id + "/story")).document().toString())
+          .contains("Opera");
+    }
+    assertThat(home.send(as("alice", "/goals/" + script + "/plans")).status()).isEqualTo(200);
+
+    String body = "{\"goal\": \"(prefers dave-evenings Opera)\"}";
+    for (ServedHome.Answer refused :
+        List.of(
+            home.send(as("erin", "/goals/" + script + "/story")),
+            home.send(as("erin", "/goals/" + script + "/plans")),
+            home.send(as("erin", "/goals/" + goal + "/story")),
+            home.send(as("erin", "/goals/" + goal + "/bids")),
+            home.send(posting(as("erin", "/previews"), body)),
+            home.send(posting(as("erin", "/goals"), body)))) {
+      assertThat(refused.status()).as(refused.toString()).isEqualTo(400);
+      assertThat(refused.problem())
+          .contains(
+              "prefers is private in this home, and no maestro:Permission lets desk or erin read it")
+          .doesNotContain("Opera");
+    }
+    home.assertValid(home.send(as("erin", "/goals")).document(), "goals");
+    assertThat(row("alice", goal).path("goal").asText()).contains("Opera");
+    assertThat(row("erin", goal).path("goal").asText()).isEqualTo("private");
+    assertThat(row("erin", script).path("goal").asText()).isEqualTo("(suit)");
+    assertThat(row("erin", script).path("detail").isNull()).isTrue();
+  }
+
+  private static String stated(String person, String goal) throws Exception {
+    ServedHome.Answer answer =
+        home.send(posting(as(person, "/goals"), "{\"goal\": \"" + goal + "\"}"));
+    assertThat(answer.status()).as(answer.toString()).isEqualTo(201);
+    return answer.document().path("id").asText();
+  }
+
+  private static JsonNode row(String person, String goal) throws Exception {
+    JsonNode goals = home.send(as(person, "/goals")).document().path("goals");
+    for (JsonNode row : goals) {
+      if (row.path("id").asText().equals(goal)) {
+        return row;
+      }
+    }
+    return goals.path("none");
   }
 
   @Test

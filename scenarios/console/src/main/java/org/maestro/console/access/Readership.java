@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.knowledge.Readers;
 import org.maestro.agents.runtime.Caller;
+import org.maestro.coordination.api.StoryEntry;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.ReadingRights;
 
@@ -33,10 +34,35 @@ public final class Readership {
     return of(Optional.empty());
   }
 
+  /**
+   * What all may read of a goal's story who look; of what is private they are told that it is over.
+   */
+  public Optional<StoryEntry> toAll(StoryEntry entry) {
+    if (ofAll().objection(entry.privateWords()).isEmpty()) {
+      return Optional.of(entry);
+    }
+    return entry.kind() == StoryEntry.Kind.END
+        ? Optional.of(
+            new StoryEntry(
+                entry.goalId(), entry.at(), entry.kind(), "It is over; its story is private."))
+        : Optional.empty();
+  }
+
+  /** The name by which agents are asked for her; empty on an open site. */
+  public Optional<String> name(Visit visit) {
+    return name(visit.person());
+  }
+
+  /** The same of all who look. */
+  public Optional<String> nameOfAll() {
+    return name(Optional.empty());
+  }
+
+  private Optional<String> name(Optional<String> person) {
+    return isSecured ? Optional.of(person.orElse(AgentNames.DESK)) : Optional.empty();
+  }
+
   private ReadingRights of(Optional<String> person) {
-    return readers.of(
-        new Caller(
-            AgentNames.DESK,
-            isSecured ? Optional.of(person.orElse(AgentNames.DESK)) : Optional.empty()));
+    return readers.of(new Caller(AgentNames.DESK, name(person)));
   }
 }

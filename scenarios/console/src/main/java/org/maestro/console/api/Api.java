@@ -28,6 +28,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.ontology.home.ReadingRights;
 import org.maestro.rats.security.Role;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlSyntaxException;
 
 /** The operations that a platform offers to programs, and to the page. */
@@ -102,7 +103,7 @@ public final class Api {
             "goals",
             "The goals, in the order in which they were stated.",
             "goals",
-            request -> questions.goals()),
+            request -> questions.of(readership.name(request.visit())).goals()),
         order(Method.POST, "/goals", "stateGoal", "States a goal.", this::state)
             .taking("goal-request")
             .answering(CREATED, "goal-accepted"),
@@ -112,7 +113,7 @@ public final class Api {
                 "previewGoal",
                 "The plan for a goal and its price as described, before anybody is asked.",
                 "preview",
-                request -> preview.apply(request.body().path("goal").asText()))
+                this::preview)
             .taking("preview-request"),
         order(
                 Method.DELETE,
@@ -282,6 +283,21 @@ public final class Api {
         : queries.apply(request.body().path("query").asText());
   }
 
+  /** A plan may be as it is because of what is private. */
+  private CompletableFuture<JsonNode> preview(Request request) {
+    String goal = request.body().path("goal").asText();
+    Optional<String> objection;
+    try {
+      objection = readership.of(request.visit()).objection(SlParser.formula(goal));
+    } catch (SlSyntaxException e) {
+      return CompletableFuture.failedFuture(
+          RefusalException.badInput(String.valueOf(e.getMessage())));
+    }
+    return objection.isPresent()
+        ? CompletableFuture.failedFuture(RefusalException.badInput(objection.get()))
+        : preview.apply(goal);
+  }
+
   private CompletableFuture<JsonNode> state(Request request) {
     JsonNode asked = request.body();
     return questions
@@ -333,7 +349,9 @@ public final class Api {
       return CompletableFuture.failedFuture(
           RefusalException.badInput("plan says of which plan the step is; add step."));
     }
-    return questions.story(request.parameter("goal"), plan, step);
+    return questions
+        .of(readership.name(request.visit()))
+        .story(request.parameter("goal"), plan, step);
   }
 
   private static CompletableFuture<JsonNode> answer(JsonNode document) {

@@ -37,6 +37,7 @@ public final class AclQuestions implements Questions {
 
   private final DeskAgent desk;
   private final Predicate<String> shownContainers;
+  private final Optional<String> reader;
 
   public AclQuestions(DeskAgent desk) {
     this(desk, container -> true);
@@ -46,13 +47,27 @@ public final class AclQuestions implements Questions {
    * @param shownContainers of whose agents is told, by name; one that is there to ask only is not
    */
   public AclQuestions(DeskAgent desk, Predicate<String> shownContainers) {
+    this(desk, shownContainers, Optional.empty());
+  }
+
+  private AclQuestions(DeskAgent desk, Predicate<String> shownContainers, Optional<String> reader) {
     this.desk = desk;
     this.shownContainers = shownContainers;
+    this.reader = reader;
+  }
+
+  /**
+   * The same as somebody asks them who is told of private goals only what she may read.
+   *
+   * @param person who has signed in at the desk; empty: whoever is there
+   */
+  public AclQuestions of(Optional<String> person) {
+    return new AclQuestions(desk, shownContainers, person);
   }
 
   @Override
   public CompletableFuture<JsonNode> goals() {
-    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, Words.content("query-ref"))
+    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, read("query-ref", List.of()))
         .thenApply(GoalsDocument::of);
   }
 
@@ -112,7 +127,7 @@ public final class AclQuestions implements Questions {
     arguments.add(Words.named("goal", Words.name(goal)));
     plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
     step.ifPresent(number -> arguments.add(Words.named("step", Words.number(number))));
-    return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("explain", arguments))
+    return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, read("explain", arguments))
         .thenApply(lines -> StoryDocument.of(goal, lines.stream().map(Reply::story).toList()));
   }
 
@@ -121,7 +136,7 @@ public final class AclQuestions implements Questions {
     return ask(
             ACLMessage.QUERY_REF,
             AgentNames.COORDINATOR,
-            Words.content("query-ref", Words.named("plans", Words.name(goal))))
+            read("query-ref", List.of(Words.named("plans", Words.name(goal)))))
         .thenApply(lines -> PlansDocument.of(goal, lines));
   }
 
@@ -134,8 +149,14 @@ public final class AclQuestions implements Questions {
     List<Content.Argument> arguments = new ArrayList<>();
     arguments.add(Words.named("bids", Words.name(goal)));
     plan.ifPresent(number -> arguments.add(Words.named("plan", Words.number(number))));
-    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, new Content("query-ref", arguments))
+    return ask(ACLMessage.QUERY_REF, AgentNames.COORDINATOR, read("query-ref", arguments))
         .thenApply(lines -> BidsDocument.of(goal, plan, lines));
+  }
+
+  private Content read(String operator, List<Content.Argument> arguments) {
+    List<Content.Argument> all = new ArrayList<>(arguments);
+    reader.ifPresent(name -> all.add(Words.named("for", Words.text(name))));
+    return new Content(operator, all);
   }
 
   @Override
