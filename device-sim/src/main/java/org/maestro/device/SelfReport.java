@@ -16,7 +16,7 @@ import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PresenceSensor;
-import org.maestro.hal.Selector;
+import org.maestro.hal.Settings;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
@@ -75,10 +75,7 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(Switch.class)
         .ifPresent(appliance -> words.put("on", new Term.Truth(appliance.isOn())));
-    drivers
-        .find(Selector.class)
-        .flatMap(Selector::selected)
-        .ifPresent(choice -> words.put("selection", new Term.Name(choice)));
+    drivers.find(Settings.class).ifPresent(appliance -> words.putAll(appliance.values()));
     drivers
         .find(WallClock.class)
         .ifPresent(clock -> words.put("minuteOfDay", new Term.Number(clock.minuteOfDay())));

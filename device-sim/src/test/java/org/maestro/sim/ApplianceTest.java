@@ -59,6 +59,103 @@ class ApplianceTest {
     }
   }
 
+  private static Homes evening() {
+    return new Homes("evening", "evening", 1, same -> same);
+  }
+
+  private static Result set(Homes homes, String member, String feature, String name, Object value) {
+    return homes.call(member, feature, Map.of(name, value)).result().orElseThrow();
+  }
+
+  @Test
+  void beginsAsTheSceneSays() {
+    try (Homes homes = evening()) {
+      assertThat(homes.facts("stereo"))
+          .containsExactlyInAnyOrder(
+              "(switchedOn stereo)",
+              "(= (volume stereo) 50)",
+              "(= (disc stereo) 1)",
+              "(= (remaining stereo) 95)",
+              "(playing stereo Lullaby)",
+              "(source stereo disc-player)",
+              "(not (muted stereo))",
+              "(not (paused stereo))");
+      assertThat(homes.facts("tv")).contains("(not (switchedOn tv))", "(source tv disc-player)");
+      assertThat(homes.facts("front-door")).contains("(locked front-door)");
+      assertThat(homes.facts("thermostat-living"))
+          .containsExactly("(= (targetTemperature livingroom) 21)");
+    }
+  }
+
+  @Test
+  void keepsWhatIsSet() {
+    try (Homes homes = evening()) {
+      assertThat(set(homes, "stereo", "setVolume", "volume", 55).outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      assertThat(set(homes, "stereo", "mute", "muted", true).outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      assertThat(homes.facts("stereo")).contains("(= (volume stereo) 55)", "(muted stereo)");
+
+      assertThat(result(homes, "stereo", "switchOff").outcome()).isEqualTo(Outcome.SUCCEEDED);
+      assertThat(homes.facts("stereo"))
+          .contains("(not (switchedOn stereo))", "(= (volume stereo) 55)", "(= (disc stereo) 1)")
+          .noneMatch(fact -> fact.startsWith("(playing"));
+    }
+  }
+
+  @Test
+  void takesSoLongAsItsSettingSays() {
+    try (Homes homes = evening()) {
+      Duration begun = homes.clock.now();
+      set(homes, "stereo", "changeDisc", "disc", 3);
+
+      assertThat(homes.clock.now().minus(begun))
+          .isBetween(Duration.ofSeconds(3), Duration.ofSeconds(4));
+      assertThat(homes.facts("stereo")).contains("(= (disc stereo) 3)");
+    }
+  }
+
+  @Test
+  void refusesWhatItCannotBeSetTo() {
+    try (Homes homes = evening()) {
+      Result refused = set(homes, "stereo", "setVolume", "volume", 110);
+
+      assertThat(refused.outcome()).isEqualTo(Outcome.FAILED);
+      assertThat(refused.error().orElseThrow().message())
+          .isEqualTo("The volume lies between 0 and 100, and is not 110.");
+      assertThat(set(homes, "tv", "changeChannel", "channel", 7).outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      assertThat(set(homes, "tv", "pause", "paused", true).error().orElseThrow().message())
+          .isEqualTo("it is switched off");
+    }
+  }
+
+  @Test
+  void aLockKeepsADoorFromBeingOpened() {
+    try (Homes homes = evening()) {
+      assertThat(result(homes, "front-door", "openDoor").error().orElseThrow().message())
+          .contains("locked");
+      assertThat(set(homes, "front-door", "unlockDoor", "locked", false).outcome())
+          .isEqualTo(Outcome.SUCCEEDED);
+      assertThat(homes.facts("front-door")).contains("(not (locked front-door))");
+      assertThat(result(homes, "front-door", "openDoor").outcome()).isEqualTo(Outcome.SUCCEEDED);
+    }
+  }
+
+  @Test
+  void aLampHasAColourBesideItsLevel() {
+    try (Homes homes = evening()) {
+      set(homes, "floor-lamp", "setColourTemperature", "colourTemperature", 4000);
+
+      assertThat(homes.facts("floor-lamp"))
+          .contains("(= (level floor-lamp) 0.5)", "(= (colourTemperature floor-lamp) 4000)");
+    }
+  }
+
+  private static Result result(Homes homes, String member, String feature) {
+    return homes.call(member, feature, Map.of()).result().orElseThrow();
+  }
+
   @Test
   void aBrokenOneSaysSo() {
     try (Homes homes = livingRoom()) {

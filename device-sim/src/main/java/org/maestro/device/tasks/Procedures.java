@@ -32,7 +32,7 @@ public final class Procedures {
     kinds.put("closeDoor", new Kind("door-in-movement", context -> new SetDoor(context, false)));
     kinds.put("switchOn", new Kind("switching", context -> new SetSwitch(context, true)));
     kinds.put("switchOff", new Kind("switching", context -> new SetSwitch(context, false)));
-    kinds.put("select", new Kind("switching", Select::new));
+    kinds.put("set", new Kind("switching", SetSettings::new));
     kinds.put("move", new Kind("driving", MoveTask::new));
     kinds.put("pick", new Kind("arm-in-movement", PickTask::new));
     kinds.put("place", new Kind("arm-in-movement", PlaceTask::new));

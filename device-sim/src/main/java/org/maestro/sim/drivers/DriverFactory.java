@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Camera;
@@ -20,7 +21,7 @@ import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
-import org.maestro.hal.Selector;
+import org.maestro.hal.Settings;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
@@ -50,6 +51,7 @@ import org.maestro.sim.world.LampLight;
 import org.maestro.sim.world.Likeness;
 import org.maestro.sim.world.Photographer;
 import org.maestro.sim.world.World;
+import org.maestro.sl.Term;
 
 /**
  * Makes simulated drivers for the driver keys of device descriptions, and puts the devices into the
@@ -61,6 +63,7 @@ public final class DriverFactory {
   private static final double FULL_STRENGTH = 1;
   private static final double FULL_CHARGE = 1;
   private static final double SECONDS_PER_HOUR = 3600;
+  private static final String LOCKED = "locked";
 
   private final World world;
   private final Scene scene;
@@ -89,7 +92,11 @@ public final class DriverFactory {
     Actuator actuator = new Actuator(device.id(), world, clock, new Random(seed));
     return switch (key) {
       case "lamp" ->
-          lamp(device).with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp()));
+          withSettings(
+              device,
+              actuator,
+              lamp(device)
+                  .with(DimmableLamp.class, new SimulatedLamp(actuator, parameters.lamp())));
       case "switched-lamp" ->
           lamp(device)
               .with(
@@ -116,15 +123,8 @@ public final class DriverFactory {
                   PresenceSensor.class,
                   SimulatedPresenceSensor.start(
                       actuator, parameters.presence(), area(device), robots));
-      case "door" ->
-          Drivers.none()
-              .with(
-                  DoorDrive.class,
-                  new SimulatedDoor(actuator, parameters.drives(), Stated.truth(device, "locked")));
-      case "appliance" -> {
-        SimulatedAppliance appliance = new SimulatedAppliance(actuator, parameters.drives());
-        yield Drivers.none().with(Switch.class, appliance).with(Selector.class, appliance);
-      }
+      case "door" -> door(device, actuator);
+      case "appliance" -> appliance(device, actuator);
       case "clock" -> clock(device, actuator);
       case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator, this::gliding);
@@ -199,6 +199,37 @@ public final class DriverFactory {
         eye,
         now ->
             photographer.take(eye.views().get().get(0), eye.viewDegrees(), resolution, seed, now));
+  }
+
+  private Drivers appliance(Device device, Actuator actuator) {
+    SimulatedAppliance appliance = settings(device, actuator);
+    return Drivers.none().with(Switch.class, appliance).with(Settings.class, appliance);
+  }
+
+  private SimulatedAppliance settings(Device device, Actuator actuator) {
+    AtFirst first = AtFirst.of(device, scene);
+    return new SimulatedAppliance(
+        actuator, parameters.drives(), device.settings(), first.isOn(), first.settings());
+  }
+
+  private Drivers withSettings(Device device, Actuator actuator, Drivers drivers) {
+    return device.settings().isEmpty()
+        ? drivers
+        : drivers.with(Settings.class, settings(device, actuator));
+  }
+
+  /** A door with a lock of its own is locked as that is set, any other as the home says. */
+  private Drivers door(Device device, Actuator actuator) {
+    boolean stated = Stated.truth(device, LOCKED);
+    if (!device.settings().containsKey(LOCKED)) {
+      return Drivers.none()
+          .with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives(), () -> stated));
+    }
+    SimulatedAppliance lock = settings(device, actuator);
+    BooleanSupplier locked = () -> new Term.Truth(true).equals(lock.values().get(LOCKED));
+    return Drivers.none()
+        .with(DoorDrive.class, new SimulatedDoor(actuator, parameters.drives(), locked))
+        .with(Settings.class, lock);
   }
 
   private Drivers clock(Device device, Actuator actuator) {

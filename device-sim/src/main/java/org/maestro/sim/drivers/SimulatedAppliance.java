@@ -1,30 +1,62 @@
 package org.maestro.sim.drivers;
 
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.UnaryOperator;
 import org.maestro.hal.Completion;
-import org.maestro.hal.Selector;
+import org.maestro.hal.Settings;
 import org.maestro.hal.Switch;
+import org.maestro.ontology.home.Setting;
 import org.maestro.sim.parameters.DriveData;
 import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sl.Term;
 
 /**
- * An appliance such as a television: off at first, and what is chosen at it is so while it is on.
+ * An appliance whose settings are data, such as a television, a stereo, an oven or a thermostat: it
+ * keeps what it is set to, and tells it.
  */
-final class SimulatedAppliance implements Switch, Selector {
+final class SimulatedAppliance implements Switch, Settings {
 
   private final Actuator actuator;
   private final DriveData data;
-  private State state = State.OFF;
-  private State ordered = State.OFF;
+  private final Map<String, Setting> settings;
+  private State state;
+  private State ordered;
 
-  private record State(boolean on, Optional<String> selected) {
-    static final State OFF = new State(false, Optional.empty());
-    static final State ON = new State(true, Optional.empty());
-  }
+  private record State(boolean on, Map<String, Term> values) {}
 
-  SimulatedAppliance(Actuator actuator, DriveData data) {
+  /**
+   * @param on whether it is on at first
+   * @param values how it is set at first, where that is not as its settings say
+   */
+  SimulatedAppliance(
+      Actuator actuator,
+      DriveData data,
+      Map<String, Setting> settings,
+      boolean on,
+      Map<String, Term> values) {
     this.actuator = actuator;
     this.data = data;
+    this.settings = settings;
+    Map<String, Term> all = usual(on, Map.of());
+    all.putAll(values);
+    this.state = new State(on, all);
+    this.ordered = state;
+  }
+
+  /** As everything is of its own accord, over what is kept. */
+  private Map<String, Term> usual(boolean on, Map<String, Term> kept) {
+    Map<String, Term> values = new TreeMap<>();
+    settings.forEach(
+        (name, setting) -> {
+          if (on || !setting.whileOn()) {
+            setting.atFirst().ifPresent(value -> values.put(name, value));
+            Optional.ofNullable(kept.get(name)).ifPresent(value -> values.put(name, value));
+          }
+        });
+    return values;
   }
 
   @Override
@@ -32,28 +64,34 @@ final class SimulatedAppliance implements Switch, Selector {
     if (on == isOn()) {
       completion.done();
     } else {
-      become(on ? State.ON : State.OFF, completion);
+      become(0, before -> new State(on, usual(on, before.values())), completion);
     }
   }
 
   @Override
-  public void select(String choice, Completion completion) {
-    if (isOn()) {
-      become(new State(true, Optional.of(choice)), completion);
-    } else {
+  public void set(Map<String, Term> values, Completion completion) {
+    if (!isOn() && values.keySet().stream().anyMatch(name -> settings.get(name).whileOn())) {
       completion.failed("it is switched off");
+    } else {
+      become(seconds(values.keySet()), before -> with(before, values), completion);
     }
   }
 
-  private void become(State next, Completion completion) {
+  private static State with(State before, Map<String, Term> values) {
+    Map<String, Term> all = new TreeMap<>(before.values());
+    all.putAll(values);
+    return new State(before.on(), all);
+  }
+
+  private void become(double seconds, UnaryOperator<State> next, Completion completion) {
     actuator.command(
         WorldEvent.Kind.ADJUST,
-        data.relaySeconds(),
+        data.relaySeconds() + seconds,
         completion::failed,
         () -> {
-          ordered = next;
+          ordered = next.apply(told());
           if (!actuator.flaw().isIdle()) {
-            state = next;
+            state = next.apply(state);
           }
           actuator.tell(WorldEvent.Kind.SWITCHED);
           completion.done();
@@ -70,7 +108,27 @@ final class SimulatedAppliance implements Switch, Selector {
   }
 
   @Override
-  public Optional<String> selected() {
-    return told().selected();
+  public Map<String, Term> values() {
+    return told().values();
+  }
+
+  @Override
+  public Set<String> names() {
+    return settings.keySet();
+  }
+
+  @Override
+  public Optional<String> refusal(Map<String, Term> values) {
+    return values.entrySet().stream()
+        .flatMap(
+            entry ->
+                settings.get(entry.getKey()).refusal(entry.getValue()).stream()
+                    .map(reason -> "The " + entry.getKey() + " " + reason + "."))
+        .findFirst();
+  }
+
+  @Override
+  public double seconds(Set<String> names) {
+    return names.stream().mapToDouble(name -> settings.get(name).delaySeconds()).max().orElse(0);
   }
 }

@@ -1,6 +1,7 @@
 package org.maestro.sim.drivers;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.maestro.hal.Completion;
 import org.maestro.hal.DoorDrive;
 import org.maestro.sim.parameters.DriveData;
@@ -11,10 +12,10 @@ final class SimulatedDoor implements DoorDrive {
 
   private final Actuator actuator;
   private final DriveData data;
-  private final boolean locked;
+  private final BooleanSupplier locked;
   private Optional<Boolean> order = Optional.empty();
 
-  SimulatedDoor(Actuator actuator, DriveData data, boolean locked) {
+  SimulatedDoor(Actuator actuator, DriveData data, BooleanSupplier locked) {
     this.actuator = actuator;
     this.data = data;
     this.locked = locked;
@@ -22,7 +23,7 @@ final class SimulatedDoor implements DoorDrive {
 
   @Override
   public void setOpen(boolean open, Completion completion) {
-    if (locked && open && !isOpen()) {
+    if (locked.getAsBoolean() && open && !isOpen()) {
       completion.failed("it is locked");
       return;
     }

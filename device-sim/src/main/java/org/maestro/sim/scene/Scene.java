@@ -2,6 +2,7 @@ package org.maestro.sim.scene;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -17,21 +18,29 @@ public record Scene(
     Map<String, Entry> entries,
     Optional<SceneSky> sky,
     Map<String, Double> openings,
-    Course course) {
+    Course course,
+    Map<String, List<String>> states) {
 
   /**
    * @param sky without it no light comes in by windows
    * @param openings how far shutters are open, 0 to 1; others are closed
    * @param course what happens of its own accord
+   * @param states what else is so of a thing, facts in MAESTRO-SL
    */
   public Scene {
     entries = Collections.unmodifiableMap(new LinkedHashMap<>(entries));
     openings = Collections.unmodifiableMap(new TreeMap<>(openings));
+    states = Collections.unmodifiableMap(new TreeMap<>(states));
   }
 
   /** A scene without daylight, in which nothing happens of its own accord. */
   public Scene(String name, Map<String, Entry> entries) {
-    this(name, entries, Optional.empty(), Map.of(), Course.NOTHING);
+    this(name, entries, Optional.empty(), Map.of(), Course.NOTHING, Map.of());
+  }
+
+  /** What else is so of the thing in the beginning, facts in MAESTRO-SL. */
+  public List<String> states(String thing) {
+    return states.getOrDefault(thing, List.of());
   }
 
   /** What the scene says of it; nothing when it is not mentioned. */
@@ -43,12 +52,12 @@ public record Scene(
   public Scene with(String thing, Entry entry) {
     Map<String, Entry> changed = new LinkedHashMap<>(entries);
     changed.put(thing, entry);
-    return new Scene(name, changed, sky, openings, course);
+    return new Scene(name, changed, sky, openings, course, states);
   }
 
   /** The same scene under another sky. */
   public Scene with(SceneSky other) {
-    return new Scene(name, entries, Optional.of(other), openings, course);
+    return new Scene(name, entries, Optional.of(other), openings, course, states);
   }
 
   /**

@@ -49,7 +49,8 @@ public final class SceneLoader {
           "charge",
           "charges",
           "fault",
-          "walks");
+          "walks",
+          "state");
 
   private final SceneText text;
 
@@ -126,7 +127,13 @@ public final class SceneLoader {
                       .ifPresent(opening -> openings.put(thing, opening));
                   entries.put(thing, entry(thing, said));
                 }));
-    return new Scene(name, entries, sky.stream().findFirst(), openings, new Course(faults, walks));
+    return new Scene(
+        name,
+        entries,
+        sky.stream().findFirst(),
+        openings,
+        new Course(faults, walks),
+        text.states());
   }
 
   private void attempt(Runnable reading) {

@@ -13,6 +13,9 @@ import org.maestro.ontology.validation.Fault;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.ontology.validation.SourceReader;
+import org.maestro.ontology.vocabulary.NameCheck;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
 
 /** What a scene's text says of each thing, word by word, with the lines and the faults so far. */
 final class SceneText {
@@ -20,10 +23,14 @@ final class SceneText {
   /** Of what is said of the home itself; no thing has this name. */
   static final String HOME = "";
 
+  /** The word with which anything may be said of a thing. */
+  private static final String STATE = "state";
+
   private final String name;
   private final Home home;
   private final SourceGraph graph = new SourceGraph();
   private final Map<String, Map<String, String>> words = new TreeMap<>();
+  private final Map<String, List<String>> states = new TreeMap<>();
   private final Map<String, Map<String, Integer>> lines = new TreeMap<>();
   private final List<Fault> faults = new ArrayList<>();
   private final Set<String> strangers = new TreeSet<>();
@@ -65,6 +72,10 @@ final class SceneText {
   }
 
   private void note(String thing, String word, Node value, int line) {
+    if (word.equals(STATE)) {
+      noteState(thing, value.getLiteralLexicalForm(), line);
+      return;
+    }
     String former =
         words
             .computeIfAbsent(thing, key -> new TreeMap<>())
@@ -72,6 +83,31 @@ final class SceneText {
     lines.computeIfAbsent(thing, key -> new TreeMap<>()).putIfAbsent(word, line);
     if (former != null) {
       fault(line, "gives " + thing + " two values of scene:" + word + "; keep one");
+    }
+  }
+
+  /** Several may be said of a thing. */
+  private void noteState(String thing, String state, int line) {
+    lines.computeIfAbsent(thing, key -> new TreeMap<>()).putIfAbsent(STATE, line);
+    List<String> problems = new ArrayList<>();
+    try {
+      new NameCheck(
+              home.vocabulary(),
+              home.individuals()::containsKey,
+              (name, type) -> home.individuals().get(name).classes().contains(type),
+              Map.of(),
+              NameCheck::declare,
+              (problem, cure) -> problems.add(problem + "; " + cure))
+          .check(SlParser.fact(state));
+    } catch (SlSyntaxException e) {
+      problems.add(
+          "is no fact: at column %d stands %s; write %s there"
+              .formatted(e.column(), e.found(), e.expected()));
+    }
+    if (problems.isEmpty()) {
+      states.computeIfAbsent(thing, key -> new ArrayList<>()).add(state);
+    } else {
+      fault(line, "says scene:state \"%s\", which %s".formatted(state, problems.get(0)));
     }
   }
 
@@ -96,6 +132,11 @@ final class SceneText {
                       "it has " + String.join(", ", home.individuals().keySet()))));
     }
     return Optional.empty();
+  }
+
+  /** What else is so of each thing, facts in MAESTRO-SL. */
+  Map<String, List<String>> states() {
+    return states;
   }
 
   /** Values by thing and word. */

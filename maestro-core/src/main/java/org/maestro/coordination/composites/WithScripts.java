@@ -65,7 +65,6 @@ final class WithScripts extends ForwardingKnowledge {
         Optional.empty(),
         Optional.empty(),
         new ArrayList<>(actions),
-        Map.of(),
-        List.of());
+        Map.of());
   }
 }

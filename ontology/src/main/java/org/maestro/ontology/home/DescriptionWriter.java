@@ -8,6 +8,7 @@ import java.math.BigDecimal;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceReader;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -55,6 +56,9 @@ public final class DescriptionWriter {
     worth.chance().ifPresent(chance -> json.add("chance", chance));
     worth.allowed().ifPresent(time -> json.add("allowed", time.toString()));
     json.add("reports", FeatureWriter.namedFacts(device.reports()));
+    if (!device.settings().isEmpty()) {
+      json.add("setting", settings(device));
+    }
     JsonArrayBuilder offers = Json.createArrayBuilder();
     int order = 1;
     for (FeatureType feature : device.features()) {
@@ -63,6 +67,28 @@ public final class DescriptionWriter {
     json.add("offers", offers);
     JsonObject document = json.build();
     return document.toString();
+  }
+
+  private JsonArrayBuilder settings(Device device) {
+    JsonArrayBuilder json = Json.createArrayBuilder();
+    for (Setting setting : device.settings().values()) {
+      JsonObjectBuilder entry = Json.createObjectBuilder().add("name", setting.name());
+      Optional.ofNullable(device.reports().get(setting.name()))
+          .ifPresent(fact -> entry.add("fact", fact));
+      setting.lowest().ifPresent(number -> entry.add("lowest", number));
+      setting.highest().ifPresent(number -> entry.add("highest", number));
+      setting.grain().ifPresent(number -> entry.add("grain", number));
+      setting
+          .atFirst()
+          .ifPresent(
+              value -> {
+                JsonArrayBuilder values = Json.createArrayBuilder();
+                add(values, value);
+                entry.add("atFirst", values);
+              });
+      json.add(entry.add("delay", setting.delaySeconds()).add("whileOn", setting.whileOn()));
+    }
+    return json;
   }
 
   private JsonArrayBuilder context() {

@@ -23,6 +23,7 @@ import org.maestro.sl.Term;
  * @param reports what the member reports of itself: the driver's own word for a value, and the fact
  *     it means, such as {@code level} and {@code (= (level ?self) ?level)}, {@code zone} and {@code
  *     (in ?self ?zone)}
+ * @param settings what can be set at it, by name
  * @param pursues goals that its agent has of its own accord, with {@code ?self} for the device
  * @param worth of each of these goals
  * @param extension what its description brings beside the device itself
@@ -33,6 +34,7 @@ public record Device(
     Optional<String> driver,
     List<FeatureType> features,
     Map<String, String> reports,
+    Map<String, Setting> settings,
     List<Formula> pursues,
     StatedWorth worth,
     Extension extension) {
@@ -42,6 +44,7 @@ public record Device(
     features = List.copyOf(features);
     pursues = List.copyOf(pursues);
     reports = Collections.unmodifiableMap(new TreeMap<>(reports));
+    settings = Collections.unmodifiableMap(new TreeMap<>(settings));
   }
 
   /** A device that speaks in the home's words, and says nothing of what its goals are worth. */
@@ -51,6 +54,7 @@ public record Device(
       Optional<String> driver,
       List<FeatureType> features,
       Map<String, String> reports,
+      Map<String, Setting> settings,
       List<Formula> pursues) {
     this(
         individual,
@@ -58,19 +62,20 @@ public record Device(
         driver,
         features,
         reports,
+        settings,
         pursues,
         StatedWorth.NONE,
         Extension.NONE);
   }
 
-  /** The same without goals of its own. */
+  /** The same without goals of its own, and with nothing to be set. */
   public Device(
       Individual individual,
       Optional<String> container,
       Optional<String> driver,
       List<FeatureType> features,
       Map<String, String> reports) {
-    this(individual, container, driver, features, reports, List.of());
+    this(individual, container, driver, features, reports, Map.of(), List.of());
   }
 
   public String id() {
@@ -119,6 +124,7 @@ public record Device(
         driver,
         features,
         reports,
+        settings,
         pursues,
         worth,
         extension);
@@ -126,7 +132,8 @@ public record Device(
 
   /** The same device, whose description brings this. */
   public Device bringing(Extension more) {
-    return new Device(individual, container, driver, features, reports, pursues, worth, more);
+    return new Device(
+        individual, container, driver, features, reports, settings, pursues, worth, more);
   }
 
   /** Whether its description brings a thing of this name. */

@@ -33,6 +33,7 @@ final class DeviceReader {
   private final Vocabulary vocabulary;
   private final Literals literals;
   private final FeatureReader features;
+  private final SettingReader settingReader;
 
   private final VocabularyCheck check;
   private final WordHints hints;
@@ -44,6 +45,7 @@ final class DeviceReader {
     this.hints = new WordHints(graph, vocabulary);
     this.literals = new Literals(graph);
     this.features = new FeatureReader(graph, vocabulary::isFluent);
+    this.settingReader = new SettingReader(graph);
   }
 
   Device read(Node node, Individual individual) {
@@ -51,6 +53,7 @@ final class DeviceReader {
     Optional<String> container = Optional.empty();
     Optional<String> driver = Optional.empty();
     Map<String, String> reports = new TreeMap<>();
+    Map<String, Setting> settings = new TreeMap<>();
     Map<String, Offer> offers = new LinkedHashMap<>();
     Set<Formula> pursues = new LinkedHashSet<>();
     StatedWorth worth = StatedWorth.NONE;
@@ -60,6 +63,7 @@ final class DeviceReader {
       driver = literals.text(layer, "driver").or(orElse(driver));
       reports = features.namedFacts(layer, "reports", reports);
       check.checkFacts(layer, "reports", List.of(Self.NAME));
+      settings = settingReader.read(layer, settings);
       pursues.addAll(aims.pursued(layer));
       worth = aims.worth(layer).or(worth);
       Set<String> special = new LinkedHashSet<>();
@@ -78,11 +82,12 @@ final class DeviceReader {
         offer(layer, individual, offered, offers);
       }
     }
+    Map<String, Setting> set = settings;
     List<FeatureType> types =
         offers.values().stream()
             .sorted(
                 Comparator.comparingDouble(Offer::order).thenComparing(offer -> offer.type.name()))
-            .map(Offer::type)
+            .map(offer -> SettingReader.choosing(offer.type, set))
             .toList();
     if (pursues.isEmpty() && !worth.equals(StatedWorth.NONE)) {
       graph.fault(
@@ -92,7 +97,15 @@ final class DeviceReader {
               + " maestro:allowed out");
     }
     return new Device(
-        individual, container, driver, types, reports, List.copyOf(pursues), worth, Extension.NONE);
+        individual,
+        container,
+        driver,
+        types,
+        reports,
+        settings,
+        List.copyOf(pursues),
+        worth,
+        Extension.NONE);
   }
 
   private static <T> Supplier<Optional<T>> orElse(Optional<T> before) {

@@ -27,6 +27,7 @@ public final class HomeLoader {
 
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
+  private static final String HOUSEHOLD_RESOURCE = "household.ttl";
   private static final String SHAPES_RESOURCE = "shapes.ttl";
   private static final String USUAL_RESOURCE = "usual.ttl";
   private static final List<String> ALIGNMENTS =
@@ -130,6 +131,7 @@ public final class HomeLoader {
     String base = HOMES_BASE + baseName.replaceFirst("\\.ttl$", "").replaceAll("[^\\w.-]", "-");
     new SourceReader(graph, baseName, base).readTurtle(text);
     refuseFaults(graph);
+    addHousehold(graph, baseName);
     new Inference(graph).run();
     shapes().check(graph);
     Vocabulary vocabulary = new VocabularyReader(graph).read();
@@ -142,6 +144,7 @@ public final class HomeLoader {
   public Vocabulary vocabulary() {
     SourceGraph graph = new SourceGraph();
     readVocabulary(graph);
+    addHousehold(graph, OWN_WORDS);
     return vocabulary(graph, name -> false);
   }
 
@@ -155,6 +158,7 @@ public final class HomeLoader {
     SourceGraph graph = new SourceGraph();
     readVocabulary(graph);
     new SourceReader(graph, OWN_WORDS, HOMES_BASE).readTurtle(words);
+    addHousehold(graph, OWN_WORDS);
     return vocabulary(graph, name -> true);
   }
 
@@ -184,11 +188,32 @@ public final class HomeLoader {
     }
   }
 
+  /** Words of households come with the shipped domain only, behind the home's own. */
+  private void addHousehold(SourceGraph graph, String source) {
+    if (domainTexts.isEmpty()) {
+      ShippedHousehold.WORDS.addTo(graph, source);
+    }
+  }
+
+  /** Read when first needed; immutable. */
+  private static final class ShippedHousehold {
+    private static final HouseholdWords WORDS = read();
+
+    private static HouseholdWords read() {
+      SourceGraph graph = new SourceGraph();
+      new SourceReader(graph, HOUSEHOLD_RESOURCE, VOCABULARY_BASE + "/domain")
+          .readTurtle(resource(HOUSEHOLD_RESOURCE));
+      return new HouseholdWords(graph);
+    }
+  }
+
   /** The shipped vocabulary, its alignments and a home's words, with what follows from them. */
   static SourceGraph statementsWith(String ownWords) {
     SourceGraph graph = new SourceGraph();
-    new HomeLoader().readVocabulary(graph);
+    HomeLoader loader = new HomeLoader();
+    loader.readVocabulary(graph);
     new SourceReader(graph, OWN_WORDS, HOMES_BASE).readTurtle(ownWords);
+    loader.addHousehold(graph, OWN_WORDS);
     new Inference(graph).run();
     return graph;
   }

@@ -67,7 +67,7 @@ final class HomeReader {
             readScripts(scripts),
             timeZone(homeNode),
             new WordingReader(graph, vocabulary).read(),
-            ownWords(),
+            ownWords(homeNode),
             Optional.of(source.substring(source.lastIndexOf('/') + 1)));
     check(home, nodes, scripts);
     return home;
@@ -109,8 +109,9 @@ final class HomeReader {
     }
   }
 
-  private String ownWords() {
+  private String ownWords(Node home) {
     SourceGraph own = new SourceGraph();
+    HouseholdWords.note(own, graph, home);
     graph.subjectsOf(source).stream()
         .filter(subject -> subject.isURI() && isAWord(subject))
         .forEach(subject -> own.copyStated(subject, source, graph));

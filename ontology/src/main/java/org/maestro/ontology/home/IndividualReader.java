@@ -32,6 +32,7 @@ final class IndividualReader {
           RDFS.comment.asNode(),
           Maestro.term("offers"),
           Maestro.term("reports"),
+          Maestro.term("setting"),
           Maestro.term("driver"),
           Maestro.term("container"),
           Maestro.term("pursues"),

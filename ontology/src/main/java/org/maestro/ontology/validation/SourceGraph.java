@@ -153,6 +153,11 @@ public final class SourceGraph {
     }
   }
 
+  /** Adds a statement that no text makes. */
+  public void state(Node subject, Node property, Node value) {
+    add(Triple.create(subject, property, value), new Origin("", 0));
+  }
+
   boolean contains(Triple triple) {
     return origins.containsKey(triple);
   }

@@ -89,21 +89,26 @@ public record FeatureType(
 
   /** The same feature with another effect. */
   public FeatureType withEffect(Effect other) {
-    return with(precondition, other);
+    return with(inputs, precondition, other);
   }
 
   /** The same feature with another precondition. */
   public FeatureType withPrecondition(Formula other) {
-    return with(other, effect);
+    return with(inputs, other, effect);
   }
 
-  private FeatureType with(Formula needed, Effect done) {
+  /** The same feature with other inputs. */
+  public FeatureType withInputs(List<Parameter> other) {
+    return with(other, precondition, effect);
+  }
+
+  private FeatureType with(List<Parameter> given, Formula needed, Effect done) {
     return new FeatureType(
         name,
         iri,
         task,
         sentence,
-        inputs,
+        given,
         binds,
         outputs,
         needed,

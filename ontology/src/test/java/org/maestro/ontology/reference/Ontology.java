@@ -24,7 +24,8 @@ import org.maestro.ontology.home.Home;
 final class Ontology {
   static final String MAESTRO = "https://w3id.org/maestro#";
 
-  private static final List<String> VOCABULARIES = List.of("maestro.ttl", "domain.ttl");
+  private static final List<String> VOCABULARIES =
+      List.of("maestro.ttl", "domain.ttl", "household.ttl");
   private static final List<String> SHAPES = List.of("shapes.ttl", "usual.ttl");
   private static final Pattern LINE =
       Pattern.compile("^(?:# --- (.+)|((?:maestro)?:\\w+) .*)$", Pattern.MULTILINE);

@@ -13,8 +13,8 @@ final class ReferencePage {
       """
       # Words for homes: the reference
 
-      Every class, property and feature that a home may use, as the ontology says it (`ontology/src/main/resources/org/maestro/ontology/maestro.ttl`
-      and `domain.ttl`, with what `check` asks for in `shapes.ttl` and `usual.ttl`). [The guide](guide-homes.md) tells which of them a home usually needs; the words of scenes stand in
+      Every class, property and feature that a home may use, as the ontology says it (`ontology/src/main/resources/org/maestro/ontology/maestro.ttl`,
+      `domain.ttl` and `household.ttl`, with what `check` asks for in `shapes.ttl` and `usual.ttl`). [The guide](guide-homes.md) tells which of them a home usually needs; the words of scenes stand in
       [the guide to scenes](guide-scenes.md). The page is made from these files, and `ReferenceTest` of the module `ontology` holds it against them.
 
       ```turtle

@@ -14,27 +14,20 @@ final class Values {
   private static final Property ARGUMENTS = Ontology.term("arguments");
   private static final Property UNIT = Ontology.term("unit");
   private static final Map<String, String> UNITS =
-      Map.of(
-          "LUX",
-          "lux",
-          "M",
-          "m",
-          "M2",
-          "m²",
-          "KiloGM",
-          "kg",
-          "M-PER-SEC",
-          "m/s",
-          "W",
-          "W",
-          "DEG",
-          "degrees",
-          "HZ",
-          "Hz",
-          "CD",
-          "cd",
-          "MIN",
-          "minutes");
+      Map.ofEntries(
+          Map.entry("LUX", "lux"),
+          Map.entry("M", "m"),
+          Map.entry("M2", "m²"),
+          Map.entry("KiloGM", "kg"),
+          Map.entry("M-PER-SEC", "m/s"),
+          Map.entry("W", "W"),
+          Map.entry("DEG", "degrees"),
+          Map.entry("DEG_C", "°C"),
+          Map.entry("HZ", "Hz"),
+          Map.entry("K", "K"),
+          Map.entry("CD", "cd"),
+          Map.entry("MIN", "minutes"),
+          Map.entry("SEC", "seconds"));
 
   private final Shapes shapes;
   private final Function<Resource, String> names;

@@ -116,6 +116,7 @@ final class Laboratory {
                 Duration.ofMinutes(10),
                 OptionalLong.of(seed))),
         openings,
-        scene.course());
+        scene.course(),
+        scene.states());
   }
 }

@@ -19,7 +19,7 @@ import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {
-  static final List<String> HOMES = List.of("bob", "arena", "housekeeper");
+  static final List<String> HOMES = List.of("bob", "arena", "housekeeper", "evening");
   static final List<String> SCENES =
       List.of(
           "bob-dark",
@@ -28,7 +28,9 @@ final class Shipped {
           "bob-hidden",
           "bob-weak-lamps",
           "arena-dark",
-          "housekeeper");
+          "housekeeper",
+          "evening",
+          "glasses");
 
   private Shipped() {}
 

@@ -90,7 +90,8 @@ class MistakesTest {
         "household",
         "livingroom",
         "study",
-        "broken-cup"
+        "broken-cup",
+        "evening"
       })
   void noneIsInAShippedHome(String home) {
     Said said = check(home);

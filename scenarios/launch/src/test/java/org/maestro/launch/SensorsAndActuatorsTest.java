@@ -31,6 +31,7 @@ class SensorsAndActuatorsTest {
         "bob",
         "bob-two-robots",
         "broken-cup",
+        "evening",
         "flat",
         "household",
         "livingroom",
