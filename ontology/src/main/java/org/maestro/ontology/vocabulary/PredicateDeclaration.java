@@ -54,7 +54,25 @@ public record PredicateDeclaration(
     boolean isPrivate) {
   /** QUDT's names of units, as people write them. */
   private static final Map<String, String> UNIT_SYMBOLS =
-      Map.of("LUX", "lux", "M", "m", "KiloGM", "kg", "M-PER-SEC", "m/s", "W", "W", "MIN", "min");
+      Map.of(
+          "LUX",
+          "lux",
+          "M",
+          "m",
+          "KiloGM",
+          "kg",
+          "M-PER-SEC",
+          "m/s",
+          "W",
+          "W",
+          "MIN",
+          "min",
+          "SEC",
+          "s",
+          "K",
+          "K",
+          "DEG_C",
+          "°C");
 
   public PredicateDeclaration {
     parameters = List.copyOf(parameters);
