@@ -27,7 +27,7 @@ public final class HomeLoader {
 
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
-  private static final String HOUSEHOLD_RESOURCE = "household.ttl";
+  private static final List<String> HOUSEHOLD_RESOURCES = List.of("household.ttl", "words-en.ttl");
   private static final String SHAPES_RESOURCE = "shapes.ttl";
   private static final String USUAL_RESOURCE = "usual.ttl";
   private static final List<String> ALIGNMENTS =
@@ -201,8 +201,10 @@ public final class HomeLoader {
 
     private static HouseholdWords read() {
       SourceGraph graph = new SourceGraph();
-      new SourceReader(graph, HOUSEHOLD_RESOURCE, VOCABULARY_BASE + "/domain")
-          .readTurtle(resource(HOUSEHOLD_RESOURCE));
+      HOUSEHOLD_RESOURCES.forEach(
+          name ->
+              new SourceReader(graph, name, VOCABULARY_BASE + "/domain")
+                  .readTurtle(resource(name)));
       return new HouseholdWords(graph);
     }
   }
