@@ -25,6 +25,7 @@ class PackageRulesTest {
     "org.maestro.planning..",
     "org.maestro.coordination..",
     "org.maestro.members..",
+    "org.maestro.language..",
     "org.maestro.deployment..",
     "org.maestro.storage..",
     "org.maestro.text..",
