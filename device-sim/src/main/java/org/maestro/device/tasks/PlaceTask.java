@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -14,10 +15,12 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.RatsError;
 
 /**
- * Puts down what the hand holds, beside a thing or in an area: approach, reach out, let go, fold
- * (Three-layered architecture, 3.2; M29).
+ * Puts down what the hand holds, beside a thing, in an area, or on a thing with a top: approach,
+ * reach out, let go, fold (Three-layered architecture, 3.2; M29).
  */
 final class PlaceTask extends ArmTask {
+
+  private static final String TOP = "topHeight";
 
   PlaceTask(FeatureContext context) {
     super(context);
@@ -43,7 +46,7 @@ final class PlaceTask extends ArmTask {
             List.of(
                 approach(
                     reach -> ways(target).orElseThrow().apply(reach),
-                    point -> spot.set(Position.onFloor(point)),
+                    point -> spot.set(new Position(point.x(), point.y(), top(target).orElse(0))),
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(chosen(spot), completion)),
@@ -106,7 +109,20 @@ final class PlaceTask extends ArmTask {
     if (area.isPresent()) {
       return Optional.of(reach -> reach.within(area.get()));
     }
-    return context().deposits().position(target).map(place -> reach -> reach.beside(place.floor()));
+    return context()
+        .deposits()
+        .position(target)
+        .map(
+            place ->
+                reach ->
+                    top(target).isPresent()
+                        ? reach.to(place.floor())
+                        : reach.beside(place.floor()));
+  }
+
+  /** How high above the floor things stand on the target, if it is one to put things on. */
+  private static OptionalDouble top(Pointer target) {
+    return target.number(TOP);
   }
 
   @Override

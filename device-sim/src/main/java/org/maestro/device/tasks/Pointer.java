@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
@@ -52,6 +53,12 @@ record Pointer(String name, Map<String, Object> properties) {
     }
     return Optional.of(
         new Position(numbers.get(0), numbers.get(1), numbers.size() > 2 ? numbers.get(2) : 0));
+  }
+
+  /** A property that is a number. */
+  OptionalDouble number(String property) {
+    Object value = properties.get(property);
+    return value == null ? OptionalDouble.empty() : OptionalDouble.of(numbers(value, " ").get(0));
   }
 
   Optional<Polygon> outline() {
