@@ -50,10 +50,21 @@ final class SceneFacts {
                                         SlPrinter.print(place.y()),
                                         SlPrinter.print(place.z()))));
               }
+              entry.open().ifPresent(open -> open(home, name, open, facts));
               entry.level().ifPresent(level -> reported(home, name, "level", level, facts));
             });
     scene.openings().forEach((name, open) -> reported(home, name, "opening", open, facts));
+    home.individuals().keySet().forEach(name -> facts.addAll(scene.states(name)));
     return facts;
+  }
+
+  private static void open(Home home, String name, boolean open, List<String> facts) {
+    Device device = home.devices().get(name);
+    String fact = device == null ? null : device.reports().get("open");
+    if (fact != null) {
+      String atom = fact.replace("?self", name);
+      facts.add(open ? atom : "(not " + atom + ")");
+    }
   }
 
   /** What the device would report of itself. */

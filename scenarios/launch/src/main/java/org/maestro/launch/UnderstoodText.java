@@ -49,10 +49,7 @@ final class UnderstoodText {
     understood.unknown().forEach(unknown::add);
     document.put("coverage", Math.round(understood.coverage() * 100) / 100.0);
     document.put("readings", understood.meanings().size());
-    understood.meanings().stream()
-        .findFirst()
-        .map(Meaning::kind)
-        .ifPresent(kind -> document.put("kind", kind));
+    put(document, "kind", understood.meanings().stream().findFirst().map(Meaning::kind));
     return document;
   }
 
