@@ -1,8 +1,11 @@
 package org.maestro.language;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.language.chart.Reading;
+import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.hearing.HeardWords;
@@ -17,8 +20,10 @@ import org.maestro.sl.Content;
 public final class Listening {
   private final Grammar grammar;
   private final HeardWords words;
-  private final Situation situation;
+  private Situation situation;
   private final List<Understanding.Begun> began = new ArrayList<>();
+  private Optional<Meaning> lastSaid = Optional.empty();
+
 
   Listening(Grammar grammar, HeardWords words, Situation situation) {
     this.grammar = grammar;
@@ -29,7 +34,15 @@ public final class Listening {
   /** Takes the next word. */
   public void hear(String word) {
     words.take(word);
-    best()
+    if (words.isRepairing()) {
+      // What is taken back was spoken of all the same.
+      lastSaid.ifPresent(
+          said -> situation = situation.after(Understanding.spokenOf(said, situation.discourse())));
+      began.clear();
+    }
+    List<Meaning> now = soFar();
+    lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
+    best(now)
         .filter(Meaning::early)
         .flatMap(Meaning::message)
         .filter(message -> began.isEmpty() || !last().message().equals(message))
@@ -41,8 +54,7 @@ public final class Listening {
   }
 
   /** The best meaning of what was said so far, if it is certain. */
-  private Optional<Meaning> best() {
-    List<Meaning> meanings = soFar();
+  private static Optional<Meaning> best(List<Meaning> meanings) {
     return meanings.stream()
         .findFirst()
         .filter(one -> one.broken() == 0 && one.doubt().isEmpty() && !isAmbiguous(meanings));
@@ -50,7 +62,7 @@ public final class Listening {
 
   /** What was said so far may mean, if it ended here; the best first. */
   public List<Meaning> soFar() {
-    return new Interpreter(situation).of(words.readings());
+    return preferred(new Interpreter(situation).of(words.readings()));
   }
 
   /** The words so far, and what became of them. */
@@ -62,6 +74,10 @@ public final class Listening {
   public Understanding end(String utterance) {
     words.end();
     List<Meaning> meanings = soFar();
+    if (meanings.isEmpty()) {
+      meanings = lackingARole();
+    }
+    meanings = preferred(meanings);
     Optional<Meaning> best = meanings.stream().findFirst();
     Optional<Doubt> doubt = best.flatMap(Meaning::doubt);
     boolean isAmbiguous = best.isPresent() && isAmbiguous(meanings);
@@ -69,7 +85,7 @@ public final class Listening {
         doubt.isPresent() || isAmbiguous ? Optional.empty() : best.flatMap(Meaning::message);
     QuestionsBack questions = new QuestionsBack(situation, grammar);
     Optional<String> question =
-        isAmbiguous ? Optional.of(grammar.phrase("ambiguous")) : doubt.map(questions::of);
+        isAmbiguous ? Optional.of(questions.between(tied(meanings))) : doubt.map(questions::of);
     return new Understanding(
         utterance,
         message,
@@ -81,17 +97,74 @@ public final class Listening {
         coverage());
   }
 
+  /** What was said until a word that is not understood, where only a role is missing then. */
+  private List<Meaning> lackingARole() {
+    boolean isMisplaced =
+        words.heard().stream().anyMatch(word -> word.fate() == Heard.Fate.UNPLACED);
+    if (isMisplaced) {
+      return List.of();
+    }
+    List<Reading> lacking =
+        words.chart().partial().stream()
+            .filter(reading -> !isLackingMore(reading.form()))
+            .toList();
+    return new Interpreter(situation)
+        .of(lacking).stream()
+            .filter(
+                meaning ->
+                    meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
+            .toList();
+  }
+
+  /** Whether more is open than what is to fill a role. */
+  private static boolean isLackingMore(Form form) {
+    if (form.is("role")) {
+      return !form.part(1).equals(Form.HOLE) && isLackingMore(form.part(1));
+    }
+    return form.equals(Form.HOLE) || form.parts().stream().anyMatch(Listening::isLackingMore);
+  }
+
   /** Two readings that are as good, and mean something else: nobody knows which is meant. */
   private static boolean isAmbiguous(List<Meaning> meanings) {
-    Meaning best = meanings.get(0);
-    return best.message().isPresent()
-        && meanings.stream()
-                .filter(one -> one.broken() == best.broken() && one.penalty() == best.penalty())
+    return meanings.get(0).message().isPresent()
+        && tied(meanings).stream()
                 .map(Meaning::message)
                 .flatMap(Optional::stream)
                 .distinct()
                 .count()
             > 1;
+  }
+
+  /** Those that are as good as the best. */
+  private static List<Meaning> tied(List<Meaning> meanings) {
+    Meaning best = meanings.get(0);
+    return meanings.stream()
+        .filter(one -> one.broken() == best.broken() && one.penalty() == best.penalty())
+        .toList();
+  }
+
+  /**
+   * Of those that are as good the ones that speak of the kind of thing that was spoken of last; and
+   * of two that mean the same the one that is asked back.
+   */
+  private List<Meaning> preferred(List<Meaning> meanings) {
+    if (meanings.size() < 2) {
+      return meanings;
+    }
+    List<Meaning> tied = tied(meanings);
+    List<Meaning> chosen = tied;
+    for (String kind : situation.discourse().classes()) {
+      List<Meaning> familiar =
+          tied.stream().filter(one -> one.classes().contains(kind)).toList();
+      if (!familiar.isEmpty() && familiar.size() < tied.size()) {
+        chosen = familiar;
+        break;
+      }
+    }
+    List<Meaning> ordered = new ArrayList<>(chosen);
+    ordered.sort(Comparator.comparing(one -> one.doubt().isEmpty()));
+    meanings.stream().filter(one -> !tied.contains(one)).forEach(ordered::add);
+    return ordered;
   }
 
   private String notUnderstood() {

@@ -54,16 +54,15 @@ public record Understanding(
 
   /** What was spoken of, after what was spoken of before. */
   public Discourse discourse(Discourse before) {
-    return meanings.stream()
-        .findFirst()
-        .map(
-            best -> {
-              List<Term.Name> latest = new ArrayList<>(best.mentioned());
-              List<String> kinds = new ArrayList<>(best.classes());
-              Collections.reverse(latest);
-              Collections.reverse(kinds);
-              return before.with(latest, kinds);
-            })
-        .orElse(before);
+    return meanings.stream().findFirst().map(best -> spokenOf(best, before)).orElse(before);
+  }
+
+  /** What was spoken of by a meaning, after what was spoken of before. */
+  static Discourse spokenOf(Meaning said, Discourse before) {
+    List<Term.Name> latest = new ArrayList<>(said.mentioned());
+    List<String> kinds = new ArrayList<>(said.classes());
+    Collections.reverse(latest);
+    Collections.reverse(kinds);
+    return before.with(latest, kinds);
   }
 }

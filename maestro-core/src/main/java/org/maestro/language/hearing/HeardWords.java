@@ -126,6 +126,10 @@ public final class HeardWords {
   }
 
   private void place(String word, boolean mayHold) {
+    if (repairing && isListed("filler", List.of(word))) {
+      heard.add(new Heard(word, Heard.Fate.FILLER));
+      return;
+    }
     if (!blocked && extend(word)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
       taken(word);
@@ -301,6 +305,11 @@ public final class HeardWords {
   /** The chart of what was meant to be said; nothing fits it while a word stays unplaced. */
   public Chart chart() {
     return chart;
+  }
+
+  /** Whether the speaker has taken something back, and not said yet what is meant instead. */
+  public boolean isRepairing() {
+    return repairing;
   }
 
   /** Whether a word was heard that fits nothing. */

@@ -9,6 +9,7 @@ import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Situation;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 
 /** What an utterance's reading means. Bound to one reading in one situation. */
@@ -130,6 +131,10 @@ final class Acts {
   private Optional<Content> both(Form verb) {
     Optional<Content> first = command(verb.part(0));
     Optional<Content> second = command(verb.part(1));
+    if (first.isPresent() && isOpen(first.get())) {
+      // What the first leaves open the second may have named.
+      first = command(verb.part(0));
+    }
     if (first.isEmpty() || second.isEmpty()) {
       return Optional.empty();
     }
@@ -147,6 +152,10 @@ final class Acts {
       }
     }
     return Optional.of(new Content("seq", parts));
+  }
+
+  private static boolean isOpen(Content content) {
+    return goalOf(content).filter(goal -> !FreeVariables.of(goal).isEmpty()).isPresent();
   }
 
   /** The formula of a message that states a goal. */
@@ -271,6 +280,10 @@ final class Acts {
   }
 
   private Optional<Content> tell(Form clause) {
+    if (clause.is("frame") && frames.construction(clause).means().isPresent()) {
+      references.wishing();
+      return frames.message(clause);
+    }
     Optional<Formula> said =
         clause.is("be") ? states.holding(clause.part(0), clause.part(1)) : frames.holding(clause);
     return said.map(

@@ -152,7 +152,10 @@ final class Frames {
     }
     if (filler.is("_")) {
       Map<String, Term> more = new HashMap<>(terms);
-      role.usually().flatMap(this::usual).ifPresent(term -> more.put(role.name(), term));
+      role.usually()
+          .flatMap(this::usual)
+          .or(() -> unsaid(role))
+          .ifPresent(term -> more.put(role.name(), term));
       return bound(construction, fillers, at + 1, more, said);
     }
     Optional<Term> value = Values.of(filler);
@@ -163,6 +166,13 @@ final class Frames {
           return bound(construction, fillers, at + 1, more, said);
         };
     return value.isPresent() ? next.apply(value.get()) : references.over(filler, role.type(), next);
+  }
+
+  /** What was spoken of last, or is the only one here, or the only one there is. */
+  private Optional<Term> unsaid(Construction.Role role) {
+    return situation.home().vocabulary().classes().containsKey(role.type())
+        ? references.phrases().only(role.type())
+        : Optional.empty();
   }
 
   private Optional<Term> usual(Term term) {

@@ -208,6 +208,10 @@ final class Measures {
     boolean isNamed =
         named.is("fluent") || named.is("more") || named.is("less") || named.is("howMuch");
     Form whose = isNamed ? measure.part(1) : named;
+    if (!isNamed && whose.is("it") && phrases.resolve(whose, "") instanceof Reference.None none) {
+      references.doubt(new Doubt.NoSuch(none.said()));
+      return Optional.empty();
+    }
     Optional<Of> first = Optional.empty();
     for (PredicateDeclaration fluent : fluents(isNamed ? named : Form.HOLE, amount)) {
       Reference reference = whose(fluent, whose);
@@ -251,7 +255,7 @@ final class Measures {
   private Reference whose(PredicateDeclaration fluent, Form whose) {
     String type = Relations.typeOf(fluent, 0);
     if (whose.is("_")) {
-      return unsaid(type);
+      return unsaid(fluent, type);
     }
     boolean isPlace =
         whose.is("rel")
@@ -263,7 +267,7 @@ final class Measures {
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
       if (whose.is("it") && said instanceof Reference.None) {
-        return unsaid(type);
+        return unsaid(fluent, type);
       }
       return said instanceof Reference.Mistyped ? within(whose, type) : said;
     }
@@ -332,7 +336,7 @@ final class Measures {
   }
 
   /** What was spoken of last, or the place itself, or all that are here. */
-  private Reference unsaid(String type) {
+  private Reference unsaid(PredicateDeclaration fluent, String type) {
     Form it = Form.leaf("it");
     Reference last = phrases.resolve(it, type);
     if (!(last instanceof Reference.None)) {
@@ -343,6 +347,15 @@ final class Measures {
     if (here.isPresent()) {
       return new Reference.Single(new Term.Name(here.get()));
     }
-    return phrases.resolve(Form.of("np", Form.leaf("the"), Form.of("noun", Form.leaf(type))), type);
+    Reference all =
+        phrases.resolve(Form.of("np", Form.leaf("all"), Form.of("noun", Form.leaf(type))), type);
+    if (all instanceof Reference.Several several) {
+      List<Term> known =
+          several.terms().stream()
+              .filter(term -> situation.facts().number(fluent(fluent, term)).isPresent())
+              .toList();
+      return known.size() == 1 ? new Reference.Single(known.get(0)) : all;
+    }
+    return all;
   }
 }

@@ -49,6 +49,7 @@ final class Descriptions {
     return situation.discourse().things().stream()
         .filter(thing -> relations.isA(thing, head.className()))
         .findFirst()
+        .or(() -> phrases.present(head.className()))
         .map(
             last ->
                 head.with(

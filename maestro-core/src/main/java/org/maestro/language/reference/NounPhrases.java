@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.language.grammar.Form;
+import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
@@ -118,6 +119,18 @@ public final class NounPhrases {
         .findFirst();
   }
 
+  /** The one of the class that was spoken of last, or is the only one here or anywhere. */
+  public Optional<Term> only(String className) {
+    Reference last = latest(Form.leaf("it"), className);
+    if (last instanceof Reference.Single single) {
+      return Optional.of(single.term());
+    }
+    List<Term.Name> all = candidates(Description.ofClass(className), className);
+    List<Term.Name> here = all.stream().filter(this::isHere).toList();
+    List<Term.Name> among = here.isEmpty() ? all : here;
+    return among.size() == 1 ? Optional.of(among.get(0)) : Optional.empty();
+  }
+
   private Reference joined(Form phrase, String className) {
     List<Term> all = new ArrayList<>();
     for (Form part : phrase.parts()) {
@@ -191,10 +204,12 @@ public final class NounPhrases {
     }
     Description description = read.get();
     List<Term.Name> candidates = candidates(description, className);
-    if (!description.className().isEmpty()) {
-      kinds.remove(description.className());
-      kinds.add(description.className());
-    }
+    kinds(description, candidates)
+        .forEach(
+            kind -> {
+              kinds.remove(kind);
+              kinds.add(kind);
+            });
     boolean mayFit = mayFit(description, className);
     if (!mayFit) {
       return new Reference.Mistyped(phrase);
@@ -203,8 +218,29 @@ public final class NounPhrases {
       case "a", "some" -> any(description, className, phrase, candidates);
       case "all", "every" -> all(description, className, phrase, candidates);
       case "count" -> exactly(phrase, candidates, (int) Double.parseDouble(phrase.text(1)));
+      case "this" -> definite(description, phrase, present(candidates));
       default -> definite(description, phrase, candidates);
     };
+  }
+
+  /** The kinds of which the phrase speaks: its class, or those of whom it names. */
+  private Set<String> kinds(Description description, List<Term.Name> candidates) {
+    Set<String> spoken = new LinkedHashSet<>();
+    if (!description.className().isEmpty()) {
+      spoken.add(description.className());
+    } else if (candidates.size() == 1) {
+      Optional.ofNullable(situation.home().individuals().get(candidates.get(0).text())).stream()
+          .flatMap(individual -> individual.classes().stream())
+          .filter(kind -> !isWide(kind))
+          .forEach(spoken::add);
+    }
+    return spoken;
+  }
+
+  /** Whether a kind tells hardly anything: everything is a thing. */
+  private boolean isWide(String kind) {
+    ClassDeclaration declared = situation.home().vocabulary().classes().get(kind);
+    return declared == null || declared.ancestors().size() < 2;
   }
 
   private boolean mayFit(Description description, String className) {
@@ -252,6 +288,42 @@ public final class NounPhrases {
     return situation.here().filter(here -> relations.isIn(name, new Term.Name(here))).isPresent();
   }
 
+  /** What something here has to do with now, such as the track that is played here; else all. */
+  private List<Term.Name> present(List<Term.Name> candidates) {
+    if (situation.here().isEmpty()) {
+      return candidates;
+    }
+    List<Term.Name> around =
+        situation.facts().individuals("Device").stream().filter(this::isHere).toList();
+    List<Term.Name> near =
+        candidates.stream()
+            .filter(
+                candidate ->
+                    around.stream().anyMatch(device -> relations.concerns(device, candidate)))
+            .toList();
+    return near.isEmpty() ? behind(around, candidates) : near;
+  }
+
+  /** What that has to do with it with which something here has to do: the band of the track. */
+  private List<Term.Name> behind(List<Term.Name> around, List<Term.Name> candidates) {
+    Set<Term.Name> between = new LinkedHashSet<>();
+    around.forEach(device -> between.addAll(relations.concernedBy(device)));
+    List<Term.Name> near =
+        candidates.stream()
+            .filter(
+                candidate ->
+                    between.stream().anyMatch(thing -> relations.concerns(thing, candidate)))
+            .toList();
+    return near.isEmpty() ? candidates : near;
+  }
+
+  /** The thing of the class with which something here has to do now. */
+  Optional<Term.Name> present(String className) {
+    List<Term.Name> all = candidates(Description.ofClass(className), className);
+    List<Term.Name> near = present(all);
+    return near.size() == 1 ? Optional.of(near.get(0)) : Optional.empty();
+  }
+
   private Reference definite(Description description, Form phrase, List<Term.Name> candidates) {
     List<Term.Name> ordered = candidates;
     if (description.nth() != 0 && !candidates.isEmpty()) {
@@ -274,7 +346,24 @@ public final class NounPhrases {
     Set<Term.Name> among = new LinkedHashSet<>(ordered);
     Optional<Term.Name> last =
         situation.discourse().things().stream().filter(among::contains).findFirst();
-    return last.isPresent() ? single(last.get()) : new Reference.Open(phrase, ordered);
+    return last.or(() -> ofLatestKind(among))
+        .map(this::single)
+        .orElseGet(() -> new Reference.Open(phrase, List.copyOf(among)));
+  }
+
+  /** The only one of the kind that was spoken of last. */
+  private Optional<Term.Name> ofLatestKind(Set<Term.Name> candidates) {
+    for (String kind : situation.discourse().classes()) {
+      List<Term.Name> ofKind =
+          candidates.stream().filter(candidate -> relations.isA(candidate, kind)).toList();
+      if (ofKind.size() == 1) {
+        return Optional.of(ofKind.get(0));
+      }
+      if (!ofKind.isEmpty()) {
+        return Optional.empty();
+      }
+    }
+    return Optional.empty();
   }
 
   private Reference all(

@@ -15,6 +15,7 @@ import org.maestro.ontology.wording.Said;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
@@ -132,13 +133,47 @@ public final class Relations {
                             && holds(predicate.name(), owner, thing));
   }
 
+  /** Whether a device's own state names the other: what it plays, shows or holds. */
+  boolean concerns(Term device, Term other) {
+    return vocabulary.predicates().values().stream()
+        .filter(predicate -> !predicate.fluent() && predicate.parameters().size() == 2)
+        .filter(predicate -> predicate.computedBy().isEmpty())
+        .anyMatch(
+            predicate ->
+                fits(predicate, 0, device)
+                    && fits(predicate, 1, other)
+                    && holds(predicate.name(), device, other));
+  }
+
+  /** Things that a device's own state names. */
+  List<Term.Name> concernedBy(Term device) {
+    return vocabulary.predicates().values().stream()
+        .filter(predicate -> !predicate.fluent() && predicate.parameters().size() == 2)
+        .filter(predicate -> predicate.computedBy().isEmpty() && fits(predicate, 0, device))
+        .flatMap(
+            predicate ->
+                facts
+                    .candidates(
+                        new Formula.Atom(
+                            predicate.name(), List.of(device, new Term.Variable("y"))),
+                        "y")
+                    .orElse(Set.of())
+                    .stream()
+                    .filter(Term.Name.class::isInstance)
+                    .map(Term.Name.class::cast)
+                    .filter(other -> holds(predicate.name(), device, other)))
+        .distinct()
+        .toList();
+  }
+
   private boolean holds(String predicate, Term thing, Term other) {
     return holds(new Formula.Atom(predicate, List.of(thing, other)), Map.of());
   }
 
   /** Whether the formula is known to hold. */
   public boolean holds(Formula formula, Map<String, Term> bindings) {
-    return new Evaluation(facts).truth(formula, bindings) == Truth.TRUE;
+    return bindings.keySet().containsAll(FreeVariables.of(formula))
+        && new Evaluation(facts).truth(formula, bindings) == Truth.TRUE;
   }
 
   /** The class of the predicate's argument; "" for any. */

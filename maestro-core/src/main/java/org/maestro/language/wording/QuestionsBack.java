@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.meaning.Doubt;
+import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Relations;
 import org.maestro.language.reference.Situation;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -54,6 +55,24 @@ public final class QuestionsBack {
       return grammar.phrase("confirm");
     }
     return grammar.phrase("not-possible");
+  }
+
+  /** What is asked when readings are as good: which kind of thing is meant, where they differ so. */
+  public String between(List<Meaning> meanings) {
+    List<String> kinds =
+        meanings.stream()
+            .map(Meaning::mentioned)
+            .filter(mentioned -> !mentioned.isEmpty())
+            .map(mentioned -> mentioned.get(mentioned.size() - 1))
+            .distinct()
+            .map(naming::kind)
+            .flatMap(Optional::stream)
+            .distinct()
+            .toList();
+    return kinds.size() == 2
+        ? filled(
+            grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
+        : grammar.phrase("ambiguous");
   }
 
   private String missing(Doubt.Missing missing) {
