@@ -1,6 +1,7 @@
 package org.maestro.sim.drivers;
 
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -70,7 +71,7 @@ final class SimulatedAppliance implements Switch, Settings {
 
   @Override
   public void set(Map<String, Term> values, Completion completion) {
-    if (!isOn() && values.keySet().stream().anyMatch(name -> settings.get(name).whileOn())) {
+    if (!isOn() && values.keySet().stream().anyMatch(name -> setting(name).whileOn())) {
       completion.failed("it is switched off");
     } else {
       become(seconds(values.keySet()), before -> with(before, values), completion);
@@ -117,18 +118,22 @@ final class SimulatedAppliance implements Switch, Settings {
     return settings.keySet();
   }
 
+  private Setting setting(String name) {
+    return Objects.requireNonNull(settings.get(name), name);
+  }
+
   @Override
   public Optional<String> refusal(Map<String, Term> values) {
     return values.entrySet().stream()
         .flatMap(
             entry ->
-                settings.get(entry.getKey()).refusal(entry.getValue()).stream()
+                setting(entry.getKey()).refusal(entry.getValue()).stream()
                     .map(reason -> "The " + entry.getKey() + " " + reason + "."))
         .findFirst();
   }
 
   @Override
   public double seconds(Set<String> names) {
-    return names.stream().mapToDouble(name -> settings.get(name).delaySeconds()).max().orElse(0);
+    return names.stream().mapToDouble(name -> setting(name).delaySeconds()).max().orElse(0);
   }
 }

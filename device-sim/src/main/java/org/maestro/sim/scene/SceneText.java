@@ -86,6 +86,12 @@ final class SceneText {
     }
   }
 
+  private boolean isA(String name, String type) {
+    return Optional.ofNullable(home.individuals().get(name))
+        .filter(thing -> thing.classes().contains(type))
+        .isPresent();
+  }
+
   /** Several may be said of a thing. */
   private void noteState(String thing, String state, int line) {
     lines.computeIfAbsent(thing, key -> new TreeMap<>()).putIfAbsent(STATE, line);
@@ -94,7 +100,7 @@ final class SceneText {
       new NameCheck(
               home.vocabulary(),
               home.individuals()::containsKey,
-              (name, type) -> home.individuals().get(name).classes().contains(type),
+              this::isA,
               Map.of(),
               NameCheck::declare,
               (problem, cure) -> problems.add(problem + "; " + cure))
