@@ -12,6 +12,7 @@ import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.GrammarReader;
 import org.maestro.language.hearing.HeardWords;
 import org.maestro.language.lexicon.ConstructionRules;
+import org.maestro.language.lexicon.FittingRoles;
 import org.maestro.language.lexicon.Lexicon;
 import org.maestro.language.lexicon.LexiconOfHome;
 import org.maestro.language.lexicon.Tokens;
@@ -28,6 +29,7 @@ public final class Language {
   private final RuleIndex rules;
   private final Set<String> grammarWords;
   private final Tokens tokens;
+  private final FittingRoles roles;
 
   private Language(Grammar own, Home home) {
     this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
@@ -35,6 +37,7 @@ public final class Language {
     this.rules = new RuleIndex(grammar);
     this.grammarWords = HeardWords.wordsOf(grammar);
     this.tokens = new Tokens(own.spellings());
+    this.roles = new FittingRoles(home);
   }
 
   /**
@@ -66,7 +69,7 @@ public final class Language {
   public Listening listen(Situation situation) {
     return new Listening(
         grammar,
-        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon)),
+        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon, roles)),
         situation);
   }
 

@@ -22,8 +22,8 @@ public final class Listening {
   private final HeardWords words;
   private Situation situation;
   private final List<Understanding.Begun> began = new ArrayList<>();
+  private int repairs;
   private Optional<Meaning> lastSaid = Optional.empty();
-
 
   Listening(Grammar grammar, HeardWords words, Situation situation) {
     this.grammar = grammar;
@@ -34,7 +34,8 @@ public final class Listening {
   /** Takes the next word. */
   public void hear(String word) {
     words.take(word);
-    if (words.isRepairing()) {
+    if (words.repairs() > repairs) {
+      repairs = words.repairs();
       // What is taken back was spoken of all the same.
       lastSaid.ifPresent(
           said -> situation = situation.after(Understanding.spokenOf(said, situation.discourse())));
@@ -43,7 +44,7 @@ public final class Listening {
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
     best(now)
-        .filter(Meaning::early)
+        .filter(meaning -> meaning.early() && meaning.kind().equals("command"))
         .flatMap(Meaning::message)
         .filter(message -> began.isEmpty() || !last().message().equals(message))
         .ifPresent(message -> began.add(new Understanding.Begun(word, message)));
@@ -104,15 +105,14 @@ public final class Listening {
     if (isMisplaced) {
       return List.of();
     }
+    // Whatever may be told to somebody is no sign that it was meant so.
     List<Reading> lacking =
-        words.chart().partial().stream()
+        words.chart().begun("frame").stream()
             .filter(reading -> !isLackingMore(reading.form()))
             .toList();
     return new Interpreter(situation)
         .of(lacking).stream()
-            .filter(
-                meaning ->
-                    meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
+            .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
             .toList();
   }
 
@@ -121,7 +121,7 @@ public final class Listening {
     if (form.is("role")) {
       return !form.part(1).equals(Form.HOLE) && isLackingMore(form.part(1));
     }
-    return form.equals(Form.HOLE) || form.parts().stream().anyMatch(Listening::isLackingMore);
+    return form.is("text") || form.equals(Form.HOLE) || form.parts().stream().anyMatch(Listening::isLackingMore);
   }
 
   /** Two readings that are as good, and mean something else: nobody knows which is meant. */
@@ -154,8 +154,7 @@ public final class Listening {
     List<Meaning> tied = tied(meanings);
     List<Meaning> chosen = tied;
     for (String kind : situation.discourse().classes()) {
-      List<Meaning> familiar =
-          tied.stream().filter(one -> one.classes().contains(kind)).toList();
+      List<Meaning> familiar = tied.stream().filter(one -> one.classes().contains(kind)).toList();
       if (!familiar.isEmpty() && familiar.size() < tied.size()) {
         chosen = familiar;
         break;

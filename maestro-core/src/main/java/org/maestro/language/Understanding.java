@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.language.hearing.Heard;
+import org.maestro.language.meaning.Doubt;
 import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Discourse;
 import org.maestro.sl.Content;
@@ -63,6 +64,17 @@ public record Understanding(
     List<String> kinds = new ArrayList<>(said.classes());
     Collections.reverse(latest);
     Collections.reverse(kinds);
-    return before.with(latest, kinds);
+    return before.with(latest, kinds).saying(said.form(), said.doubt().map(Understanding::asked));
+  }
+
+  private static Discourse.Asked asked(Doubt doubt) {
+    if (doubt instanceof Doubt.Missing missing) {
+      return new Discourse.Asked(Optional.of(missing.role().name()), Optional.empty());
+    } else if (doubt instanceof Doubt.Which which) {
+      return new Discourse.Asked(Optional.empty(), Optional.of(which.said()));
+    } else if (doubt instanceof Doubt.NoSuch none) {
+      return new Discourse.Asked(Optional.empty(), Optional.of(none.said()));
+    }
+    return new Discourse.Asked(Optional.empty(), Optional.empty());
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.Rule;
@@ -22,25 +23,21 @@ public final class Chart {
 
   private final RuleIndex rules;
   private final WordEntries lexicon;
-  private final String start;
+  private final Predicate<Form> possible;
   private final List<Column> columns = new ArrayList<>();
   private final List<String> words = new ArrayList<>();
 
-  public Chart(RuleIndex rules, WordEntries lexicon) {
-    this(rules, lexicon, Grammar.START);
-  }
-
   /**
-   * A chart of another category than whole utterances, such as that of an answer.
+   * An empty chart.
    *
-   * @param start the category
+   * @param possible whether something can be meant at all; what cannot is left out at once
    */
-  public Chart(RuleIndex rules, WordEntries lexicon, String start) {
+  public Chart(RuleIndex rules, WordEntries lexicon, Predicate<Form> possible) {
     this.rules = rules;
     this.lexicon = lexicon;
-    this.start = start;
+    this.possible = possible;
     Column first = new Column(rules);
-    first.predict(start);
+    first.predict(Grammar.START);
     columns.add(first);
   }
 
@@ -61,6 +58,15 @@ public final class Chart {
    *     was
    */
   public boolean extend(String word) {
+    return extend(word, true);
+  }
+
+  /**
+   * The same.
+   *
+   * @param freely whether it may also be one of whichever words are allowed somewhere
+   */
+  public boolean extend(String word, boolean freely) {
     words.add(word);
     Column next = new Column(rules);
     columns.add(next);
@@ -72,7 +78,8 @@ public final class Chart {
     begin(literal, columns.size() - 2, Form.leaf(word), 0);
     for (WordEntries.Entry entry : lexicon.endingWith(words)) {
       int origin = words.size() - entry.words();
-      if (origin >= 0 && columns.get(origin).predicts(entry.category())) {
+      if ((freely || !entry.category().equals(WordEntries.ANY))
+          && columns.get(origin).predicts(entry.category())) {
         complete(entry.category(), origin, entry.meaning(), 0);
       }
     }
@@ -119,7 +126,7 @@ public final class Chart {
 
   private void complete(String category, int origin, Form form, int penalty) {
     Column last = columns.get(columns.size() - 1);
-    if (!last.add(new Column.Part(category, origin), form, penalty)) {
+    if (!possible.test(form) || !last.add(new Column.Part(category, origin), form, penalty)) {
       return;
     }
     Symbol symbol = new Symbol.Category(category);
@@ -131,7 +138,7 @@ public final class Chart {
 
   /** The readings of all words as a whole utterance, the usual ones first. */
   public List<Reading> complete() {
-    return columns.get(columns.size() - 1).readings(start, 0).stream()
+    return columns.get(columns.size() - 1).readings(Grammar.START, 0).stream()
         .sorted(Comparator.comparingInt(Reading::penalty))
         .toList();
   }
@@ -142,10 +149,23 @@ public final class Chart {
    */
   public List<Reading> partial() {
     List<Reading> found = new ArrayList<>(complete());
-    for (Derivation derivation : columns.get(columns.size() - 1).all()) {
-      climb(derivation, derivation.form(), derivation.penalty(), 0, found);
-    }
+    begun(derivation -> true, found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
+  }
+
+  /** The readings in which a form of this head was begun last, and is not whole. */
+  public List<Reading> begun(String head) {
+    List<Reading> found = new ArrayList<>();
+    begun(derivation -> derivation.form().is(head), found);
+    return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
+  }
+
+  private void begun(Predicate<Derivation> wanted, List<Reading> found) {
+    for (Derivation derivation : columns.get(columns.size() - 1).all()) {
+      if (wanted.test(derivation)) {
+        climb(derivation, derivation.form(), derivation.penalty(), 0, found);
+      }
+    }
   }
 
   private void climb(
@@ -153,7 +173,7 @@ public final class Chart {
     if (found.size() >= PARTIAL || depth > 24) {
       return;
     }
-    if (derivation.origin() == 0 && derivation.rule().category().equals(start)) {
+    if (derivation.origin() == 0 && derivation.rule().category().equals(Grammar.START)) {
       found.add(new Reading(form, penalty));
     }
     Column origin = columns.get(derivation.origin());

@@ -1,6 +1,8 @@
 package org.maestro.language.chart;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -11,8 +13,8 @@ import org.maestro.language.grammar.Symbol;
 
 /** What is known after a word: rules that go on here, and categories that end here. */
 final class Column {
-  /** So many derivations of the same part are kept: those that came first, the usual ones. */
-  private static final int KEPT = 12;
+  /** So many derivations of the same part are kept: the usual ones. */
+  private static final int KEPT = 16;
 
   private final Map<Symbol, List<Derivation>> awaiting = new HashMap<>();
   private final Map<Part, List<Reading>> complete = new HashMap<>();
@@ -60,9 +62,15 @@ final class Column {
   /** Notes what a category means that ends here; false when that is known, or there are enough. */
   boolean add(Part part, Form form, int penalty) {
     List<Reading> readings = complete.computeIfAbsent(part, p -> new ArrayList<>());
-    if (readings.size() >= KEPT
-        || readings.stream().anyMatch(one -> one.form().equals(form) && one.penalty() <= penalty)) {
+    if (readings.stream().anyMatch(one -> one.form().equals(form) && one.penalty() <= penalty)) {
       return false;
+    }
+    if (readings.size() >= KEPT) {
+      Reading worst = Collections.max(readings, Comparator.comparingInt(Reading::penalty));
+      if (worst.penalty() <= penalty) {
+        return false;
+      }
+      readings.remove(worst);
     }
     readings.add(new Reading(form, penalty));
     return true;

@@ -7,6 +7,9 @@ import org.maestro.language.grammar.Form;
 
 /** What words are in a lexicon: by their category, with what they mean. */
 public interface WordEntries {
+  /** The category of whichever word. */
+  String ANY = "Any";
+
   /**
    * One or several words that are one symbol of the grammar.
    *

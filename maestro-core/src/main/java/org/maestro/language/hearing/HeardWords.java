@@ -12,6 +12,7 @@ import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.Rule;
 import org.maestro.language.grammar.Symbol;
 import org.maestro.language.lexicon.Lexicon;
+import org.maestro.language.lexicon.Tokens;
 
 /**
  * The words of one utterance while it is heard. A word that does not fit is a filler, the beginning
@@ -28,6 +29,7 @@ public final class HeardWords {
   private Chart chart;
   private List<String> held = List.of();
   private boolean repairing;
+  private int repairs;
   private boolean hesitating;
   private boolean blocked;
   private Optional<Resumption> resumption = Optional.empty();
@@ -107,6 +109,9 @@ public final class HeardWords {
   private void repair() {
     repairing = true;
     blocked = false;
+    repairs++;
+    List<String> before = chart.words();
+    resumption = Optional.of(new Resumption(before, before.size(), List.of()));
   }
 
   private boolean isListed(String list, List<String> words) {
@@ -126,11 +131,16 @@ public final class HeardWords {
   }
 
   private void place(String word, boolean mayHold) {
+    if (word.equals(Tokens.CUT_OFF)) {
+      heard.add(new Heard(word, Heard.Fate.REPAIR));
+      repair();
+      return;
+    }
     if (repairing && isListed("filler", List.of(word))) {
       heard.add(new Heard(word, Heard.Fate.FILLER));
       return;
     }
-    if (!blocked && extend(word)) {
+    if (!blocked && (repairing ? extend(word, false) : extend(word))) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
       taken(word);
       return;
@@ -150,12 +160,10 @@ public final class HeardWords {
       place(word, mayHold);
     } else if (blocked) {
       heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
-    } else if (mayResume(word) && goOn(word)) {
+    } else if (mayResume(word) && goOnEarlier(word)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
       repairing = false;
       hesitating = false;
-    } else if (resumption.isPresent() && goOnEarlier(word)) {
-      heard.add(new Heard(word, Heard.Fate.TAKEN));
     } else {
       misheard(word);
     }
@@ -199,12 +207,22 @@ public final class HeardWords {
 
   private boolean mayResume(String word) {
     List<String> words = chart.words();
+    // What is told to somebody may say a word twice.
     boolean isStutter = !words.isEmpty() && words.get(words.size() - 1).equals(word);
-    return repairing || isStutter || hesitating && words.contains(word);
+    return resumption.isPresent() || isStutter || hesitating && words.contains(word);
   }
 
   private boolean extend(String word) {
-    if (chart.extend(word)) {
+    return extend(word, true);
+  }
+
+  /**
+   * After a repair, a word is not one of whichever words that somebody is to be told.
+   *
+   * @param freely whether it may be
+   */
+  private boolean extend(String word, boolean freely) {
+    if (chart.extend(word, freely)) {
       return true;
     }
     chart.cut(chart.size() - 1);
@@ -223,24 +241,13 @@ public final class HeardWords {
             });
   }
 
-  /** Goes on after the last word after which this one fits; what was said after it is withdrawn. */
-  private boolean goOn(String word) {
-    List<String> before = chart.words();
-    for (int column = before.size() - 1; column >= 0; column--) {
-      chart.cut(column);
-      if (extend(word)) {
-        withdraw(before.subList(column, before.size()));
-        resumption = Optional.of(new Resumption(before, column, List.of(word)));
-        return true;
-      }
-    }
-    restore(before);
-    return false;
-  }
-
-  /** What was said since the last repair fits better after an earlier word. */
+  /**
+   * Goes on after the last word after which this one fits, with what was said since the repair;
+   * what was said between is withdrawn.
+   */
   private boolean goOnEarlier(String word) {
-    Resumption last = resumption.orElseThrow();
+    List<String> now = chart.words();
+    Resumption last = resumption.orElseGet(() -> new Resumption(now, now.size(), List.of()));
     List<String> since = new ArrayList<>(last.since());
     since.add(word);
     return goOnEarlier(last, since, false);
@@ -254,7 +261,8 @@ public final class HeardWords {
     List<String> now = chart.words();
     for (int column = last.column() - 1; column >= 0; column--) {
       restore(last.before().subList(0, column));
-      if (since.stream().allMatch(this::extend) && (!whole || !chart.complete().isEmpty())) {
+      if (since.stream().allMatch(one -> extend(one, false))
+          && (!whole || !chart.complete().isEmpty())) {
         withdraw(last.before().subList(column, last.before().size()));
         resumption = Optional.of(new Resumption(last.before(), column, List.copyOf(since)));
         return true;
@@ -307,9 +315,9 @@ public final class HeardWords {
     return chart;
   }
 
-  /** Whether the speaker has taken something back, and not said yet what is meant instead. */
-  public boolean isRepairing() {
-    return repairing;
+  /** How often the speaker has taken something back. */
+  public int repairs() {
+    return repairs;
   }
 
   /** Whether a word was heard that fits nothing. */

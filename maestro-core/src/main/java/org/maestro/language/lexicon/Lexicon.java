@@ -61,9 +61,6 @@ public final class Lexicon implements WordEntries {
   /** A time of day in figures, such as 10:30. */
   public static final String TIME = "Time";
 
-  /** Whichever word. */
-  public static final String ANY = "Any";
-
   private static final Pattern FIGURES_OF_TIME = Pattern.compile("([01]?\\d|2[0-3]):[0-5]\\d");
   private static final int LONGEST_NUMBER = 6;
   private static final Set<String> CATEGORIES =

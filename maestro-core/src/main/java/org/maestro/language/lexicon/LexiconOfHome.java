@@ -173,7 +173,8 @@ public final class LexiconOfHome {
               List<String> words = tokens.of(one.text());
               List<Form> same = byWords.computeIfAbsent(words, w -> new ArrayList<>());
               if (!words.isEmpty() && !same.contains(leaf(name))) {
-                same.add(leaf(name));
+                // What is called so first of all is meant first.
+                same.add(one.equals(said.get(0)) ? 0 : same.size(), leaf(name));
               }
             }
           }

@@ -88,6 +88,8 @@ final class Acts {
     return switch (verb.head()) {
       case "frame" -> frames.message(verb);
       case "both" -> both(verb);
+      case "query" -> questions.message(verb.part(0));
+      case "located" -> command(located(verb.part(0), verb.part(1)));
       case "run" -> Optional.of(run(verb.part(0)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
@@ -95,6 +97,23 @@ final class Acts {
           measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       default -> formula(verb).map(Acts::goal);
     };
+  }
+
+  /** A place that is said at the end is that of the first thing that was said. */
+  private static Form located(Form verb, Form where) {
+    List<Form> parts = new ArrayList<>(verb.parts());
+    for (int i = 0; i < parts.size(); i++) {
+      Form part = parts.get(i);
+      Form placed =
+          part.is("role")
+              ? Form.of("role", part.part(0), NounPhrases.placed(part.part(1), where))
+              : NounPhrases.placed(part, where);
+      if (!placed.equals(part)) {
+        parts.set(i, placed);
+        return new Form(verb.head(), parts);
+      }
+    }
+    return Form.of("nowhere");
   }
 
   private Optional<Formula> formula(Form verb) {

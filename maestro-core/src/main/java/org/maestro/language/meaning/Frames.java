@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.Reference;
@@ -15,7 +17,9 @@ import org.maestro.language.reference.Situation;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Content;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
@@ -154,7 +158,7 @@ final class Frames {
       Map<String, Term> more = new HashMap<>(terms);
       role.usually()
           .flatMap(this::usual)
-          .or(() -> unsaid(role))
+          .or(() -> unsaid(construction, role))
           .ifPresent(term -> more.put(role.name(), term));
       return bound(construction, fillers, at + 1, more, said);
     }
@@ -169,10 +173,24 @@ final class Frames {
   }
 
   /** What was spoken of last, or is the only one here, or the only one there is. */
-  private Optional<Term> unsaid(Construction.Role role) {
+  private Optional<Term> unsaid(Construction construction, Construction.Role role) {
     return situation.home().vocabulary().classes().containsKey(role.type())
-        ? references.phrases().only(role.type())
+        ? references.phrases().only(role.type(), term -> isKnownOf(construction, role.name(), term))
         : Optional.empty();
+  }
+
+  /** Whether the numbers that the message names are known of this thing. */
+  private boolean isKnownOf(Construction construction, String role, Term term) {
+    String means = construction.means().map(SlPrinter::print).orElse("");
+    Matcher named =
+        Pattern.compile("\\(([^\\s()]+) \\?" + Pattern.quote(role) + "\\)").matcher(means);
+    return named
+        .results()
+        .map(found -> found.group(1))
+        .filter(situation.home().vocabulary()::isFluent)
+        .allMatch(
+            fluent ->
+                situation.facts().number(new Expression.Fluent(fluent, List.of(term))).isPresent());
   }
 
   private Optional<Term> usual(Term term) {
@@ -269,6 +287,7 @@ final class Frames {
       if (filler.is("_")) {
         role.usually()
             .flatMap(this::usual)
+            .or(() -> unsaid(construction, role))
             .ifPresent(term -> terms.put(role.name(), List.of(term)));
         continue;
       }
@@ -323,9 +342,8 @@ final class Frames {
     for (Map.Entry<String, List<Term>> entry : terms.entrySet()) {
       filled =
           filled.replaceAll(
-              "\\?" + java.util.regex.Pattern.quote(entry.getKey()) + "\\b",
-              java.util.regex.Matcher.quoteReplacement(
-                  org.maestro.sl.SlPrinter.print(entry.getValue().get(0))));
+              "\\?" + Pattern.quote(entry.getKey()) + "\\b",
+              Matcher.quoteReplacement(SlPrinter.print(entry.getValue().get(0))));
     }
     return filled;
   }

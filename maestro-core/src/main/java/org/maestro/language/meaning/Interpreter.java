@@ -26,14 +26,27 @@ public final class Interpreter {
    */
   public List<Meaning> of(List<Reading> readings) {
     List<Meaning> meanings = new ArrayList<>();
+    Answers answers = new Answers(situation.discourse());
     for (Reading reading : readings.subList(0, Math.min(READINGS, readings.size()))) {
-      meaning(reading).ifPresent(meanings::add);
+      List<Form> wholes = answers.of(reading.form()).toList();
+      boolean isConfirmed = reading.form().is("yes");
+      for (Form whole : wholes) {
+        meaning(new Reading(whole, reading.penalty()), isConfirmed).ifPresent(meanings::add);
+      }
+      if (wholes.isEmpty()) {
+        meaning(reading, false).ifPresent(meanings::add);
+      }
     }
     meanings.sort(Comparator.comparingInt(Meaning::broken).thenComparingInt(Meaning::penalty));
     return meanings;
   }
 
-  private Optional<Meaning> meaning(Reading reading) {
+  /**
+   * What a reading means.
+   *
+   * @param confirmed whether what is always asked back was asked already
+   */
+  private Optional<Meaning> meaning(Reading reading, boolean confirmed) {
     Acts acts = Acts.in(situation);
     Form form = reading.form();
     Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
@@ -47,7 +60,7 @@ public final class Interpreter {
         new Meaning(
             form,
             doubt.isPresent() ? Optional.empty() : message,
-            doubt.or(() -> confirmation(form, acts)),
+            doubt.or(() -> confirmed ? Optional.empty() : confirmation(form, acts)),
             kind(form),
             references.broken(),
             reading.penalty(),

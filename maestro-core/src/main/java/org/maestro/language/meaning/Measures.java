@@ -27,11 +27,13 @@ final class Measures {
   private final Vocabulary vocabulary;
   private final NounPhrases phrases;
   private final References references;
+  private final Settables settables;
 
   Measures(Situation situation, References references) {
     this.situation = situation;
     this.vocabulary = situation.home().vocabulary();
     this.references = references;
+    this.settables = new Settables(situation.home());
     this.phrases = references.phrases();
   }
 
@@ -40,7 +42,7 @@ final class Measures {
 
   /** {@code (assign measure amount)}: the goal that it be so much. */
   Optional<Formula> assigned(Form measure, Form amount) {
-    return of(measure, amount)
+    return of(measure, amount, true)
         .flatMap(
             of ->
                 references.over(
@@ -50,7 +52,7 @@ final class Measures {
 
   /** The goal that it be more, or less, by so much or by a step. */
   Optional<Formula> changed(Form measure, Form by, int sign) {
-    return of(measure, by)
+    return of(measure, by, true)
         .flatMap(
             of ->
                 references.over(
@@ -69,7 +71,7 @@ final class Measures {
 
   /** The goal that there be half as much again, or half of it. */
   Optional<Formula> more(Form measure, int sign) {
-    return of(measure, Form.HOLE)
+    return of(measure, Form.HOLE, false)
         .flatMap(
             of ->
                 references.over(
@@ -90,7 +92,7 @@ final class Measures {
 
   /** A comparison with an amount. */
   Optional<Formula> compared(Form measure, Formula.Relation relation, Form amount) {
-    return of(measure, amount)
+    return of(measure, amount, false)
         .flatMap(
             of ->
                 references.over(
@@ -105,7 +107,7 @@ final class Measures {
 
   /** The fluents that are asked for, of each thing one. */
   List<Expression.Fluent> asked(Form measure) {
-    return of(measure, Form.HOLE).stream()
+    return of(measure, Form.HOLE, false).stream()
         .flatMap(
             of -> {
               if (of.whose() instanceof Reference.Single single) {
@@ -202,8 +204,13 @@ final class Measures {
     return Double.parseDouble(amount.text(0));
   }
 
-  /** Which number is spoken of, and of what. */
-  private Optional<Of> of(Form measure, Form amount) {
+  /**
+   * Which number is spoken of, and of what: first of what was said or is here itself, then of what is
+   * there.
+   *
+   * @param set whether it is to be set, rather than asked for
+   */
+  private Optional<Of> of(Form measure, Form amount, boolean set) {
     Form named = measure.part(0);
     boolean isNamed =
         named.is("fluent") || named.is("more") || named.is("less") || named.is("howMuch");
@@ -212,22 +219,28 @@ final class Measures {
       references.doubt(new Doubt.NoSuch(none.said()));
       return Optional.empty();
     }
-    Optional<Of> first = Optional.empty();
-    for (PredicateDeclaration fluent : fluents(isNamed ? named : Form.HOLE, amount)) {
-      Reference reference = whose(fluent, whose);
-      if (reference instanceof Reference.Mistyped || reference instanceof Reference.Unsaid) {
-        continue;
+    List<PredicateDeclaration> fluents = fluents(isNamed ? named : Form.HOLE, amount);
+    Optional<Of> broken = Optional.empty();
+    for (boolean around : new boolean[] {false, true}) {
+      for (PredicateDeclaration fluent : fluents) {
+        Reference found = whose(fluent, whose, around);
+        Reference reference = set ? settables.of(fluent, found) : found;
+        if (reference instanceof Reference.Mistyped
+            || reference instanceof Reference.Unsaid
+            || set && !settables.maySet(fluent, reference)) {
+          continue;
+        }
+        Of of = new Of(fluent, reference);
+        if (!(reference instanceof Reference.None)) {
+          return Optional.of(of);
+        }
+        broken = broken.or(() -> Optional.of(of));
       }
-      Of of = new Of(fluent, reference);
-      if (!(reference instanceof Reference.None)) {
-        return Optional.of(of);
-      }
-      first = first.isPresent() ? first : Optional.of(of);
     }
-    if (first.isEmpty()) {
+    if (broken.isEmpty()) {
       references.die();
     }
-    return first;
+    return broken;
   }
 
   private List<PredicateDeclaration> fluents(Form named, Form amount) {
@@ -252,10 +265,10 @@ final class Measures {
         || fluent.unit().get().startsWith(unit);
   }
 
-  private Reference whose(PredicateDeclaration fluent, Form whose) {
+  private Reference whose(PredicateDeclaration fluent, Form whose, boolean around) {
     String type = Relations.typeOf(fluent, 0);
     if (whose.is("_")) {
-      return unsaid(fluent, type);
+      return unsaid(fluent, type, around);
     }
     boolean isPlace =
         whose.is("rel")
@@ -267,14 +280,14 @@ final class Measures {
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
       if (whose.is("it") && said instanceof Reference.None) {
-        return unsaid(fluent, type);
+        return unsaid(fluent, type, around);
       }
-      return said instanceof Reference.Mistyped ? within(whose, type) : said;
+      return around && said instanceof Reference.Mistyped ? within(whose, type) : said;
     }
     Reference place = place(whose, type);
-    return place instanceof Reference.Mistyped || place instanceof Reference.None
-        ? thingsAt(whose, type)
-        : place;
+    boolean isElsewhere =
+        place instanceof Reference.Mistyped || place instanceof Reference.None;
+    return around && isElsewhere ? thingsAt(whose, type) : place;
   }
 
   private Reference place(Form where, String type) {
@@ -336,7 +349,7 @@ final class Measures {
   }
 
   /** What was spoken of last, or the place itself, or all that are here. */
-  private Reference unsaid(PredicateDeclaration fluent, String type) {
+  private Reference unsaid(PredicateDeclaration fluent, String type, boolean around) {
     Form it = Form.leaf("it");
     Reference last = phrases.resolve(it, type);
     if (!(last instanceof Reference.None)) {
@@ -346,6 +359,9 @@ final class Measures {
         situation.here().filter(place -> phrases.relations().isA(new Term.Name(place), type));
     if (here.isPresent()) {
       return new Reference.Single(new Term.Name(here.get()));
+    }
+    if (!around) {
+      return new Reference.Mistyped(it);
     }
     Reference all =
         phrases.resolve(Form.of("np", Form.leaf("all"), Form.of("noun", Form.leaf(type))), type);

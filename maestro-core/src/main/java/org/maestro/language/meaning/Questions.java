@@ -9,7 +9,6 @@ import org.maestro.language.reference.Reference;
 import org.maestro.language.reference.Relations;
 import org.maestro.language.reference.Situation;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
-import org.maestro.ontology.wording.Said;
 import org.maestro.sl.Content;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -44,8 +43,6 @@ final class Questions {
       case "which" ->
           described(nominal(act.part(0)), act.part(1)).map(f -> content("query-ref", f));
       case "who" ->
-          persons().flatMap(noun -> described(noun, act.part(0))).map(f -> content("query-ref", f));
-      case "anybody" ->
           persons().flatMap(noun -> described(noun, act.part(0))).map(f -> content("query-ref", f));
       case "what" ->
           described(Form.of("noun", Form.leaf("Thing")), act.part(0))
@@ -88,11 +85,8 @@ final class Questions {
   }
 
   private Optional<Form> persons() {
-    return situation.home().wording().names().entrySet().stream()
-        .filter(entry -> situation.home().vocabulary().classes().containsKey(entry.getKey()))
-        .filter(entry -> entry.getValue().stream().map(Said::text).anyMatch("who"::equals))
-        .map(entry -> Form.of("noun", Form.leaf(entry.getKey())))
-        .findFirst();
+    return NounPhrases.persons(situation.home())
+        .map(kind -> Form.of("noun", Form.leaf(kind)));
   }
 
   /** What is said of the variable that is asked for. */

@@ -138,14 +138,14 @@ final class Descriptions {
 
   private Optional<Description> related(Description head, Form preposition, Form phrase) {
     List<PredicateDeclaration> fitting =
-        relations.named(preposition).stream()
+        bestOf(relations.named(preposition).stream()
             .filter(
                 predicate ->
                     head.named().isEmpty()
                         ? relations.fits(predicate, 0, head.className())
                         : head.named().stream()
                             .anyMatch(name -> relations.fits(predicate, 0, name)))
-            .toList();
+            .toList());
     if (phrase.is("_")) {
       return Optional.of(
           head.with(
@@ -181,6 +181,13 @@ final class Descriptions {
     }
     Formula condition = either.size() == 1 ? either.get(0) : new Formula.Or(either);
     return Optional.of(head.with(condition).placedSomewhere());
+  }
+
+  /** What can be brought about is told by what is computed, too, and is meant. */
+  private static List<PredicateDeclaration> bestOf(List<PredicateDeclaration> predicates) {
+    List<PredicateDeclaration> best =
+        predicates.stream().filter(Relations::isBroughtAbout).toList();
+    return best.isEmpty() ? predicates : best;
   }
 
   private static Formula some(PredicateDeclaration predicate, Reference.Any any) {
@@ -220,6 +227,8 @@ final class Descriptions {
         inside.isPresent()
             ? head.with(inside.get())
             : head.with(candidate -> relations.belongs(candidate, single.term()));
-    return Optional.of(isHere ? owned.placedSomewhere() : owned);
+    boolean isNobodys =
+        owner.is("speaker") && phrases.candidates(owned, head.className()).isEmpty();
+    return Optional.of(isNobodys ? head : isHere ? owned.placedSomewhere() : owned);
   }
 }

@@ -8,9 +8,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.maestro.language.grammar.Form;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.ontology.wording.Said;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -55,6 +58,9 @@ public final class NounPhrases {
    * @param className of what is wanted; "" for any
    */
   public Reference resolve(Form phrase, String className) {
+    if (phrase.is("it") || phrase.is("them") || phrase.is("him")) {
+      return found(phrase, className);
+    }
     Map<String, Reference> known = resolved.computeIfAbsent(phrase, p -> new HashMap<>());
     Reference before = known.get(className);
     if (before != null) {
@@ -70,6 +76,8 @@ public final class NounPhrases {
       case "np" -> counted(phrase, className);
       case "and" -> joined(phrase, className);
       case "except" -> without(phrase, className);
+      case "placed" -> resolve(placed(phrase.part(0), phrase.part(1)), className);
+      case "somebody" -> somebody(phrase, className);
       case "it", "them" -> latest(phrase, className);
       case "him" -> latest(phrase, className);
       case "speaker" -> person(situation.speaker(), phrase, className);
@@ -78,6 +86,36 @@ public final class NounPhrases {
       case "_" -> new Reference.Unsaid();
       default -> new Reference.None(phrase);
     };
+  }
+
+  /** The phrase with a place that was said after it. */
+  public static Form placed(Form phrase, Form where) {
+    if (phrase.is("np")) {
+      List<Form> parts = new ArrayList<>(phrase.parts());
+      int last = parts.size() - 1;
+      parts.set(last, Form.of("at", parts.get(last), where));
+      return new Form("np", parts);
+    }
+    return phrase.is("everything") ? Form.of("everything", where) : phrase;
+  }
+
+  private Reference somebody(Form phrase, String className) {
+    return persons(situation.home())
+        .filter(
+            kind ->
+                className.isEmpty() || situation.home().vocabulary().mayBeBoth(kind, className))
+        .<Reference>map(
+            kind -> quantified(Description.ofClass(kind), className, Reference.Any::new))
+        .orElseGet(() -> new Reference.Mistyped(phrase));
+  }
+
+  /** The class of those for whom one asks with "who". */
+  public static Optional<String> persons(Home home) {
+    return home.wording().names().entrySet().stream()
+        .filter(entry -> home.vocabulary().classes().containsKey(entry.getKey()))
+        .filter(entry -> entry.getValue().stream().map(Said::text).anyMatch("who"::equals))
+        .map(Map.Entry::getKey)
+        .findFirst();
   }
 
   private Reference person(Optional<String> who, Form phrase, String className) {
@@ -119,8 +157,11 @@ public final class NounPhrases {
         .findFirst();
   }
 
-  /** The one of the class that was spoken of last, or is the only one here or anywhere. */
-  public Optional<Term> only(String className) {
+  /**
+   * The one of the class that was spoken of last, or is the only one here or anywhere, or of
+   * several the only one of which enough is known.
+   */
+  public Optional<Term> only(String className, Predicate<Term> known) {
     Reference last = latest(Form.leaf("it"), className);
     if (last instanceof Reference.Single single) {
       return Optional.of(single.term());
@@ -128,7 +169,9 @@ public final class NounPhrases {
     List<Term.Name> all = candidates(Description.ofClass(className), className);
     List<Term.Name> here = all.stream().filter(this::isHere).toList();
     List<Term.Name> among = here.isEmpty() ? all : here;
-    return among.size() == 1 ? Optional.of(among.get(0)) : Optional.empty();
+    List<Term.Name> fitting =
+        among.size() == 1 ? among : among.stream().filter(known).toList();
+    return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
   }
 
   private Reference joined(Form phrase, String className) {
@@ -187,10 +230,17 @@ public final class NounPhrases {
     if (className.isEmpty()) {
       return new Reference.None(phrase);
     }
+    Form where = phrase.part(0);
+    if (!where.is("_")) {
+      return resolve(
+          Form.of(
+              "np",
+              Form.leaf("every"),
+              Form.of("at", Form.of("noun", Form.leaf(className)), where)),
+          className);
+    }
     List<Term.Name> here =
-        candidates(Description.ofClass(className), className).stream()
-            .filter(this::isHere)
-            .toList();
+        candidates(Description.ofClass(className), className).stream().filter(this::isHere).toList();
     return here.isEmpty() ? new Reference.None(phrase) : several(here);
   }
 
@@ -254,7 +304,7 @@ public final class NounPhrases {
   }
 
   /** What fits the description and is of the class, in a stable order. */
-  private List<Term.Name> candidates(Description description, String className) {
+  List<Term.Name> candidates(Description description, String className) {
     Collection<Term.Name> all =
         description.named().isEmpty()
             ? situation
@@ -435,10 +485,10 @@ public final class NounPhrases {
    * @return empty when something in the phrase refers to nothing
    */
   public Optional<Asked> asked(Form nominal, Form where, String variable) {
-    Form whole =
-        where.is("_")
-            ? nominal
-            : Form.of(placeOrState(where), first(where, nominal), second(where, nominal));
+    if (where.is("both")) {
+      return asked(Form.of("at", Form.of("instate", where.part(0), nominal), where.part(1)), Form.HOLE, variable);
+    }
+    Form whole = where.is("_") ? nominal : Form.of(placeOrState(where), first(where, nominal), second(where, nominal));
     return descriptions
         .of(whole)
         .filter(description -> description.tests().isEmpty())

@@ -154,10 +154,9 @@ public final class Relations {
             predicate ->
                 facts
                     .candidates(
-                        new Formula.Atom(
-                            predicate.name(), List.of(device, new Term.Variable("y"))),
+                        new Formula.Atom(predicate.name(), List.of(device, new Term.Variable("y"))),
                         "y")
-                    .orElse(Set.of())
+                    .orElseGet(() -> Set.copyOf(facts.individuals(typeOf(predicate, 1))))
                     .stream()
                     .filter(Term.Name.class::isInstance)
                     .map(Term.Name.class::cast)

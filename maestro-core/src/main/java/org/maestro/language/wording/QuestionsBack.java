@@ -37,7 +37,7 @@ public final class QuestionsBack {
   /** The sentence for a doubt. */
   public String of(Doubt doubt) {
     if (doubt instanceof Doubt.Which which) {
-      return which(which.candidates());
+      return which(which);
     } else if (doubt instanceof Doubt.Missing missing) {
       return missing(missing);
     } else if (doubt instanceof Doubt.NoSuch none) {
@@ -57,7 +57,9 @@ public final class QuestionsBack {
     return grammar.phrase("not-possible");
   }
 
-  /** What is asked when readings are as good: which kind of thing is meant, where they differ so. */
+  /**
+   * What is asked when readings are as good: which kind of thing is meant, where they differ so.
+   */
   public String between(List<Meaning> meanings) {
     List<String> kinds =
         meanings.stream()
@@ -69,9 +71,16 @@ public final class QuestionsBack {
             .flatMap(Optional::stream)
             .distinct()
             .toList();
+    return ofKinds(kinds);
+  }
+
+  private List<String> kinds(List<Term.Name> candidates) {
+    return candidates.stream().map(naming::kind).flatMap(Optional::stream).distinct().toList();
+  }
+
+  private String ofKinds(List<String> kinds) {
     return kinds.size() == 2
-        ? filled(
-            grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
+        ? filled(grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
         : grammar.phrase("ambiguous");
   }
 
@@ -95,11 +104,21 @@ public final class QuestionsBack {
         found -> Matcher.quoteReplacement(values.getOrDefault(found.group(1), found.group(0))));
   }
 
-  private String which(List<Term.Name> candidates) {
-    String kind = candidates.stream().findFirst().flatMap(naming::kind).orElse("");
+  private String which(Doubt.Which doubt) {
+    List<Term.Name> candidates = doubt.candidates();
+    String kind =
+        noun(doubt.said())
+            .or(() -> candidates.stream().findFirst().flatMap(naming::kind))
+            .orElse("");
     List<String> names = candidates.stream().map(naming::of).distinct().toList();
+    if (names.size() < candidates.size() && byPlace(candidates).isEmpty()) {
+      List<String> kinds = kinds(candidates);
+      return kinds.size() == 2
+          ? ofKinds(kinds)
+          : filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+    }
     List<String> choices =
-        names.size() == candidates.size() ? names : candidates.stream().map(this::byPlace).toList();
+        names.size() == candidates.size() ? names : byPlace(candidates).orElse(names);
     if (choices.size() > 4) {
       return filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
     }
@@ -108,32 +127,53 @@ public final class QuestionsBack {
     return filled(grammar.phrase("which"), Map.of("kind", kind, "first", first, "last", last));
   }
 
-  /** A thing by where it is: the one on the table. */
-  private String byPlace(Term.Name thing) {
+  /** The class that was said. */
+  private Optional<String> noun(Form said) {
+    return said.is("noun")
+        ? Optional.of(naming.bare(said.text(0)))
+        : said.parts().stream().map(this::noun).flatMap(Optional::stream).findFirst();
+  }
+
+  /** Things by where they are, the one on the table, where that tells them apart. */
+  private Optional<List<String>> byPlace(List<Term.Name> things) {
     for (Map.Entry<String, List<Said>> entry :
         situation.home().wording().prepositions().entrySet()) {
-      Optional<PredicateDeclaration> predicate =
-          situation.home().vocabulary().predicate(entry.getKey());
-      if (predicate.isEmpty() || predicate.get().parameters().size() != 2) {
-        continue;
-      }
-      Optional<Term.Name> other =
-          situation.facts().individuals(Relations.typeOf(predicate.get(), 1)).stream()
-              .filter(place -> !place.equals(thing))
-              .filter(place -> holds(entry.getKey(), thing, place))
-              .findFirst();
       Optional<String> word =
           entry.getValue().stream()
               .filter(said -> said.isIn(grammar.language()))
               .map(Said::text)
               .findFirst();
-      if (other.isPresent() && word.isPresent() && Relations.isBroughtAbout(predicate.get())) {
-        return filled(
-            grammar.phrase("one-at"),
-            Map.of("preposition", word.get(), "place", naming.of(other.get())));
+      Optional<PredicateDeclaration> predicate =
+          situation.home().vocabulary().predicate(entry.getKey());
+      if (word.isEmpty()
+          || predicate.filter(one -> one.parameters().size() == 2 && !one.symmetric()).isEmpty()) {
+        continue;
+      }
+      List<String> places =
+          things.stream()
+              .flatMap(thing -> place(predicate.get(), thing).stream())
+              .distinct()
+              .toList();
+      if (places.size() == things.size()) {
+        return Optional.of(
+            places.stream()
+                .map(
+                    place ->
+                        filled(
+                            grammar.phrase("one-at"),
+                            Map.of("preposition", word.get(), "place", place)))
+                .toList());
       }
     }
-    return naming.of(thing);
+    return Optional.empty();
+  }
+
+  private Optional<String> place(PredicateDeclaration predicate, Term.Name thing) {
+    return situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
+        .filter(place -> !place.equals(thing))
+        .filter(place -> holds(predicate.name(), thing, place))
+        .findFirst()
+        .map(naming::of);
   }
 
   private boolean holds(String predicate, Term thing, Term place) {

@@ -42,7 +42,7 @@ class UnderstandCommandTest {
     assertThat(document.path("began").get(0).path("after").asText()).isEqualTo("light");
   }
 
-  /** A line each: utterance, speaker, room, what was said before, and the message or "-". */
+  /** A line each: utterance, speaker, room, what was said before, and the message or the question. */
   @Test
   void eachUtteranceOfTheListMeansWhatStandsBesideIt() throws IOException {
     List<String> lines = new ArrayList<>();
@@ -61,9 +61,18 @@ class UnderstandCommandTest {
     List<String> understood = new ArrayList<>();
     for (String document : printed.lines().toList()) {
       JsonNode one = JSON.readTree(document);
-      understood.add(one.path("utterance").asText() + " => " + one.path("meaning").asText("-"));
+      understood.add(one.path("utterance").asText() + " => " + meantOrAsked(one));
     }
     assertThat(understood).containsExactlyElementsOf(expected);
+  }
+
+  private static String meantOrAsked(JsonNode document) {
+    if (!document.path("meaning").isNull()) {
+      return document.path("meaning").asText();
+    }
+    return "- "
+        + (document.path("question").isNull() ? document.path("reply") : document.path("question"))
+            .asText();
   }
 
   private static String resource() throws IOException {
