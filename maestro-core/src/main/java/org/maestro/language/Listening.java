@@ -121,7 +121,9 @@ public final class Listening {
     if (form.is("role")) {
       return !form.part(1).equals(Form.HOLE) && isLackingMore(form.part(1));
     }
-    return form.is("text") || form.equals(Form.HOLE) || form.parts().stream().anyMatch(Listening::isLackingMore);
+    return form.is("text")
+        || form.equals(Form.HOLE)
+        || form.parts().stream().anyMatch(Listening::isLackingMore);
   }
 
   /** Two readings that are as good, and mean something else: nobody knows which is meant. */

@@ -64,7 +64,9 @@ public record Understanding(
     List<String> kinds = new ArrayList<>(said.classes());
     Collections.reverse(latest);
     Collections.reverse(kinds);
-    return before.with(latest, kinds).saying(said.form(), said.doubt().map(Understanding::asked));
+    return before
+        .with(latest, kinds, said.group())
+        .saying(said.form(), said.doubt().map(Understanding::asked));
   }
 
   private static Discourse.Asked asked(Doubt doubt) {

@@ -2,6 +2,7 @@ package org.maestro.platform;
 
 import java.awt.GraphicsEnvironment;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -248,6 +249,11 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Simulated time since the platform's clock began. */
   public Duration now() {
     return time.clock().now();
+  }
+
+  /** What its clock shows. */
+  public Instant instant() {
+    return time.clock().instant();
   }
 
   public int port() {

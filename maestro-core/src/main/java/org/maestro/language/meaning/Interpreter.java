@@ -66,7 +66,8 @@ public final class Interpreter {
             reading.penalty(),
             isEarly(form, acts),
             references.phrases().mentioned(),
-            references.phrases().kinds()));
+            references.phrases().kinds(),
+            references.phrases().group()));
   }
 
   /** What says nothing by itself: an answer, a greeting. */

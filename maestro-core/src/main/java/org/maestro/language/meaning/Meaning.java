@@ -17,6 +17,7 @@ import org.maestro.sl.Term;
  * @param early whether it may be begun before the sentence ends
  * @param mentioned what was referred to, the latest last
  * @param classes the kinds of things that were spoken of
+ * @param group several things that were referred to together
  */
 public record Meaning(
     Form form,
@@ -27,9 +28,11 @@ public record Meaning(
     int penalty,
     boolean early,
     List<Term.Name> mentioned,
-    List<String> classes) {
+    List<String> classes,
+    List<Term.Name> group) {
   public Meaning {
     mentioned = List.copyOf(mentioned);
     classes = List.copyOf(classes);
+    group = List.copyOf(group);
   }
 }

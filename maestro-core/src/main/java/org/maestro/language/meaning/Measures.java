@@ -205,8 +205,8 @@ final class Measures {
   }
 
   /**
-   * Which number is spoken of, and of what: first of what was said or is here itself, then of what is
-   * there.
+   * Which number is spoken of, and of what: first of what was said or is here itself, then of what
+   * is there.
    *
    * @param set whether it is to be set, rather than asked for
    */
@@ -285,8 +285,7 @@ final class Measures {
       return around && said instanceof Reference.Mistyped ? within(whose, type) : said;
     }
     Reference place = place(whose, type);
-    boolean isElsewhere =
-        place instanceof Reference.Mistyped || place instanceof Reference.None;
+    boolean isElsewhere = place instanceof Reference.Mistyped || place instanceof Reference.None;
     return around && isElsewhere ? thingsAt(whose, type) : place;
   }
 
@@ -370,7 +369,7 @@ final class Measures {
           several.terms().stream()
               .filter(term -> situation.facts().number(fluent(fluent, term)).isPresent())
               .toList();
-      return known.size() == 1 ? new Reference.Single(known.get(0)) : all;
+      return known.size() == 1 ? phrases.spokenOf(known.get(0)) : all;
     }
     return all;
   }

@@ -85,8 +85,7 @@ final class Questions {
   }
 
   private Optional<Form> persons() {
-    return NounPhrases.persons(situation.home())
-        .map(kind -> Form.of("noun", Form.leaf(kind)));
+    return NounPhrases.persons(situation.home()).map(kind -> Form.of("noun", Form.leaf(kind)));
   }
 
   /** What is said of the variable that is asked for. */

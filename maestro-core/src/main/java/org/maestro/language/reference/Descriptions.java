@@ -101,11 +101,9 @@ final class Descriptions {
   private Optional<Description> placed(Description head, Form where) {
     switch (where.head()) {
       case "here":
-        return situation
-            .here()
-            .map(here -> head.with(within(new Term.Name(here))).placedSomewhere());
+        return situation.here().map(here -> within(head, new Term.Name(here)).placedSomewhere());
       case "there":
-        return phrases.lastPlace().map(place -> head.with(within(place)).placedSomewhere());
+        return phrases.lastPlace().map(place -> within(head, place).placedSomewhere());
       case "everywhere":
         return Optional.of(head.anywhere());
       case "either":
@@ -132,20 +130,32 @@ final class Descriptions {
             .placedSomewhere());
   }
 
-  private Description.Test within(Term place) {
-    return candidate -> relations.isIn(candidate, place);
+  private Description within(Description head, Term place) {
+    List<PredicateDeclaration> fitting =
+        bestOf(
+            relations.ofPlaces().stream()
+                .filter(predicate -> relations.fits(predicate, 1, place))
+                .filter(
+                    predicate ->
+                        !head.className().isEmpty()
+                            && relations.fits(predicate, 0, head.className()))
+                .toList());
+    return fitting.isEmpty()
+        ? head.with(candidate -> relations.isIn(candidate, place))
+        : head.with(new Formula.Atom(fitting.get(0).name(), List.of(Description.VARIABLE, place)));
   }
 
   private Optional<Description> related(Description head, Form preposition, Form phrase) {
     List<PredicateDeclaration> fitting =
-        bestOf(relations.named(preposition).stream()
-            .filter(
-                predicate ->
-                    head.named().isEmpty()
-                        ? relations.fits(predicate, 0, head.className())
-                        : head.named().stream()
-                            .anyMatch(name -> relations.fits(predicate, 0, name)))
-            .toList());
+        bestOf(
+            relations.named(preposition).stream()
+                .filter(
+                    predicate ->
+                        head.named().isEmpty()
+                            ? relations.fits(predicate, 0, head.className())
+                            : head.named().stream()
+                                .anyMatch(name -> relations.fits(predicate, 0, name)))
+                .toList());
     if (phrase.is("_")) {
       return Optional.of(
           head.with(

@@ -13,14 +13,19 @@ import org.maestro.sl.Term;
  *
  * @param things individuals
  * @param classes kinds of things
+ * @param group several things that were spoken of together last
  * @param last what was said last, as far as it was understood
  * @param asked what was asked back then
  */
 public record Discourse(
-    List<Term.Name> things, List<String> classes, Optional<Form> last, Optional<Asked> asked) {
+    List<Term.Name> things,
+    List<String> classes,
+    List<Term.Name> group,
+    Optional<Form> last,
+    Optional<Asked> asked) {
   /** Nothing was said before. */
   public static final Discourse NONE =
-      new Discourse(List.of(), List.of(), Optional.empty(), Optional.empty());
+      new Discourse(List.of(), List.of(), List.of(), Optional.empty(), Optional.empty());
 
   private static final int REMEMBERED = 30;
 
@@ -35,16 +40,22 @@ public record Discourse(
   public Discourse {
     things = List.copyOf(things);
     classes = List.copyOf(classes);
+    group = List.copyOf(group);
   }
 
   /** After these were spoken of. */
-  public Discourse with(List<Term.Name> others, List<String> kinds) {
-    return new Discourse(latest(others, things), latest(kinds, classes), last, asked);
+  public Discourse with(List<Term.Name> others, List<String> kinds, List<Term.Name> together) {
+    return new Discourse(
+        latest(others, things),
+        latest(kinds, classes),
+        together.isEmpty() ? group : together,
+        last,
+        asked);
   }
 
   /** After this was said, and this asked back. */
   public Discourse saying(Form said, Optional<Asked> question) {
-    return new Discourse(things, classes, Optional.of(said), question);
+    return new Discourse(things, classes, group, Optional.of(said), question);
   }
 
   private static <T> List<T> latest(List<T> now, List<T> before) {

@@ -29,6 +29,7 @@ public final class NounPhrases {
   private final Descriptions descriptions;
   private final Set<Term.Name> mentioned = new LinkedHashSet<>();
   private final Set<String> kinds = new LinkedHashSet<>();
+  private final List<Term.Name> group = new ArrayList<>();
   private final Map<Form, Map<String, Reference>> resolved = new HashMap<>();
   private int variables;
 
@@ -45,6 +46,11 @@ public final class NounPhrases {
   /** The things that phrases referred to so far, the latest last. */
   public List<Term.Name> mentioned() {
     return List.copyOf(mentioned);
+  }
+
+  /** Several things that were referred to together last. */
+  public List<Term.Name> group() {
+    return List.copyOf(group);
   }
 
   /** The kinds of things that were spoken of. */
@@ -78,7 +84,8 @@ public final class NounPhrases {
       case "except" -> without(phrase, className);
       case "placed" -> resolve(placed(phrase.part(0), phrase.part(1)), className);
       case "somebody" -> somebody(phrase, className);
-      case "it", "them" -> latest(phrase, className);
+      case "it" -> latest(phrase, className);
+      case "them" -> latestGroup(phrase, className);
       case "him" -> latest(phrase, className);
       case "speaker" -> person(situation.speaker(), phrase, className);
       case "self" -> person(situation.self(), phrase, className);
@@ -102,8 +109,7 @@ public final class NounPhrases {
   private Reference somebody(Form phrase, String className) {
     return persons(situation.home())
         .filter(
-            kind ->
-                className.isEmpty() || situation.home().vocabulary().mayBeBoth(kind, className))
+            kind -> className.isEmpty() || situation.home().vocabulary().mayBeBoth(kind, className))
         .<Reference>map(
             kind -> quantified(Description.ofClass(kind), className, Reference.Any::new))
         .orElseGet(() -> new Reference.Mistyped(phrase));
@@ -128,6 +134,11 @@ public final class NounPhrases {
         .orElse(new Reference.None(phrase));
   }
 
+  /** A thing that was meant without being named. */
+  public Reference spokenOf(Term term) {
+    return term instanceof Term.Name name ? single(name) : new Reference.Single(term);
+  }
+
   private Reference single(Term.Name name) {
     mentioned.remove(name);
     mentioned.add(name);
@@ -144,6 +155,13 @@ public final class NounPhrases {
         .findFirst()
         .map(this::single)
         .orElse(new Reference.None(phrase));
+  }
+
+  private Reference latestGroup(Form phrase, String className) {
+    List<Term.Name> together = group.isEmpty() ? situation.discourse().group() : group;
+    List<Term.Name> fitting =
+        together.stream().filter(name -> relations.isA(name, className)).toList();
+    return fitting.isEmpty() ? latest(phrase, className) : several(fitting);
   }
 
   /** The place spoken of last. */
@@ -169,8 +187,7 @@ public final class NounPhrases {
     List<Term.Name> all = candidates(Description.ofClass(className), className);
     List<Term.Name> here = all.stream().filter(this::isHere).toList();
     List<Term.Name> among = here.isEmpty() ? all : here;
-    List<Term.Name> fitting =
-        among.size() == 1 ? among : among.stream().filter(known).toList();
+    List<Term.Name> fitting = among.size() == 1 ? among : among.stream().filter(known).toList();
     return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
   }
 
@@ -240,7 +257,9 @@ public final class NounPhrases {
           className);
     }
     List<Term.Name> here =
-        candidates(Description.ofClass(className), className).stream().filter(this::isHere).toList();
+        candidates(Description.ofClass(className), className).stream()
+            .filter(this::isHere)
+            .toList();
     return here.isEmpty() ? new Reference.None(phrase) : several(here);
   }
 
@@ -436,7 +455,15 @@ public final class NounPhrases {
         return new Reference.Open(phrase, candidates);
       }
     }
-    chosen.forEach(this::single);
+    return together(chosen);
+  }
+
+  private Reference together(List<Term.Name> chosen) {
+    if (chosen.size() == 1) {
+      return single(chosen.get(0));
+    }
+    group.clear();
+    group.addAll(chosen);
     return several(chosen);
   }
 
@@ -473,8 +500,7 @@ public final class NounPhrases {
     List<Term.Name> here = candidates.stream().filter(this::isHere).toList();
     List<Term.Name> fitting = here.size() == number ? here : candidates;
     if (fitting.size() == number) {
-      fitting.forEach(this::single);
-      return several(fitting);
+      return together(fitting);
     }
     return fitting.isEmpty() ? new Reference.None(phrase) : new Reference.Open(phrase, fitting);
   }
@@ -486,9 +512,15 @@ public final class NounPhrases {
    */
   public Optional<Asked> asked(Form nominal, Form where, String variable) {
     if (where.is("both")) {
-      return asked(Form.of("at", Form.of("instate", where.part(0), nominal), where.part(1)), Form.HOLE, variable);
+      return asked(
+          Form.of("at", Form.of("instate", where.part(0), nominal), where.part(1)),
+          Form.HOLE,
+          variable);
     }
-    Form whole = where.is("_") ? nominal : Form.of(placeOrState(where), first(where, nominal), second(where, nominal));
+    Form whole =
+        where.is("_")
+            ? nominal
+            : Form.of(placeOrState(where), first(where, nominal), second(where, nominal));
     return descriptions
         .of(whole)
         .filter(description -> description.tests().isEmpty())

@@ -38,7 +38,13 @@ final class Talk implements AutoCloseable {
     this.chat =
         new Chat(
             platform.knowledge()::home,
-            () -> new WrittenInterlocutor(platform.knowledge()::home, questions, stories),
+            () ->
+                new WrittenInterlocutor(
+                    platform.knowledge()::home,
+                    platform.knowledge()::snapshot,
+                    platform::instant,
+                    questions,
+                    stories),
             questions::answer,
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);

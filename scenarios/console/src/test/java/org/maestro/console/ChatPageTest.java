@@ -105,6 +105,30 @@ class ChatPageTest {
   }
 
   @Test
+  void whatIsSaidAsPeopleSpeakIsDoneAndAnswered() throws Exception {
+    long wish =
+        say("Bob", "room-a", "Could you turn on all the lamps in here, please?")
+            .document()
+            .path("number")
+            .asLong();
+    JsonNode understood = answer(wish, "understood");
+    assertThat(understood.path("text").asText())
+        .isEqualTo("(and (= (level lamp-a1) 1) (= (level lamp-a2) 1))");
+    assertThat(answer(wish, "reached", understood.path("goal").asText()).path("text").asText())
+        .startsWith("Reached");
+
+    long question =
+        say("Bob", "room-a", "How many lamps are on in here?").document().path("number").asLong();
+    assertThat(answer(question, "told").path("text").asText()).isEqualTo("2 are known.");
+
+    long open = say("Bob", "room-a", "Turn off the lamp.").document().path("number").asLong();
+    assertThat(answer(open, "asked").path("text").asText()).startsWith("Which lamp");
+    long chosen = say("Bob", "room-a", "lamp A1").document().path("number").asLong();
+    assertThat(answer(chosen, "understood").path("text").asText())
+        .isEqualTo("(= (level lamp-a1) 0)");
+  }
+
+  @Test
   void whatLacksAPartIsAskedForAndTheNextWordsAreTheAnswer() throws Exception {
     long first = say("Bob", "room-a", "illuminance here").document().path("number").asLong();
     assertThat(answer(first, "asked").path("text").asText()).contains("at least how much?");
@@ -262,8 +286,8 @@ class ChatPageTest {
       browser.waitFor("#chat-text").sendKeys("the cup next to me", Keys.ENTER);
       browser.waitForText("#chat-log .answer.understood", "(nextTo Cup Bob)");
       assertThat(browser.text("#chat-log .said-by-person")).contains("Bob, in room-b");
-      browser.waitFor("#chat-text").sendKeys("bring the cup", Keys.ENTER);
-      browser.waitForText("#chat-log .misunderstood", "I do not know the word \"bring\"");
+      browser.waitFor("#chat-text").sendKeys("polish the cup", Keys.ENTER);
+      browser.waitForText("#chat-log .misunderstood", "I do not know the word \"polish\"");
       browser.waitFor("#chat-text").sendKeys("nextTo Cup", Keys.ENTER);
       browser.waitForText("#chat-log .asked", "which thing? Say its name.");
       browser.waitForText("#chat-log .told", "Plan 1");

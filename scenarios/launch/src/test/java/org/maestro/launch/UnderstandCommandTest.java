@@ -42,7 +42,9 @@ class UnderstandCommandTest {
     assertThat(document.path("began").get(0).path("after").asText()).isEqualTo("light");
   }
 
-  /** A line each: utterance, speaker, room, what was said before, and the message or the question. */
+  /**
+   * A line each: utterance, speaker, room, what was said before, and the message or the question.
+   */
   @Test
   void eachUtteranceOfTheListMeansWhatStandsBesideIt() throws IOException {
     List<String> lines = new ArrayList<>();

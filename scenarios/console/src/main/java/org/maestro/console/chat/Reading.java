@@ -8,6 +8,19 @@ sealed interface Reading {
   /** Something that is to be so, in MAESTRO-SL. */
   record Goal(String formula) implements Reading {}
 
+  /** Several things that are to be so, each a goal of its own. */
+  record Goals(List<String> formulas) implements Reading {
+    public Goals {
+      formulas = List.copyOf(formulas);
+    }
+  }
+
+  /** For how many things this is so. */
+  record Counted(String formula) implements Reading {}
+
+  /** A question back. */
+  record Back(String text, List<String> choices) implements Reading {}
+
   /** Something that is asked of what is known, in MAESTRO-SL. */
   record Question(String formula) implements Reading {}
 

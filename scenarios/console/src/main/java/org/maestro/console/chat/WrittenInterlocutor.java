@@ -1,6 +1,7 @@
 package org.maestro.console.chat;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Instant;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -16,10 +17,12 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.ontology.home.Home;
+import org.maestro.sl.Facts;
 
 /**
- * An interlocutor who reads goals and questions as they are written, states the goals, and tells
- * how they fare in the sentences of their stories.
+ * An interlocutor who understands what people say in their language, and reads goals and questions
+ * as they are written, too; states the goals, and tells how they fare in the sentences of their
+ * stories.
  */
 public final class WrittenInterlocutor implements Interlocutor {
   private static final int MOST_CHOICES = 12;
@@ -40,15 +43,24 @@ public final class WrittenInterlocutor implements Interlocutor {
   private final Supplier<Home> home;
   private final AclQuestions questions;
   private final GoalStories stories;
+  private final SpokenWords spoken;
 
   /** What was said, and where, of a goal that lacks its last part; guarded by this. */
   private Optional<Utterance> unfinished = Optional.empty();
 
   /**
    * @param home as it is known at the time
+   * @param facts what is known at the time
+   * @param now the time that clocks on the walls show
    */
-  public WrittenInterlocutor(Supplier<Home> home, AclQuestions questions, GoalStories stories) {
+  public WrittenInterlocutor(
+      Supplier<Home> home,
+      Supplier<? extends Facts> facts,
+      Supplier<Instant> now,
+      AclQuestions questions,
+      GoalStories stories) {
     this.home = home;
+    this.spoken = new SpokenWords(home, facts, now);
     this.questions = questions;
     this.stories = stories;
   }
@@ -56,8 +68,14 @@ public final class WrittenInterlocutor implements Interlocutor {
   @Override
   public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
     WrittenWords words = new WrittenWords(home.get());
-    Reading reading = read(words, utterance);
-    if (reading instanceof Reading.Goal goal) {
+    Reading reading = inWords(utterance).orElseGet(() -> read(words, utterance));
+    if (reading instanceof Reading.Goals goals) {
+      goals.formulas().forEach(goal -> state(goal, utterance.asker(), listener, words));
+    } else if (reading instanceof Reading.Back back) {
+      listener.accept(new ChatEvent.Asked(back.text(), back.choices()));
+    } else if (reading instanceof Reading.Counted counted) {
+      count(counted.formula(), utterance.asker(), listener, words);
+    } else if (reading instanceof Reading.Goal goal) {
       state(goal.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Question question) {
       ask(question.formula(), utterance.asker(), listener, words);
@@ -66,6 +84,12 @@ public final class WrittenInterlocutor implements Interlocutor {
     } else if (reading instanceof Reading.Unclear unclear) {
       listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
     }
+  }
+
+  /** What is not written in MAESTRO-SL may be said as people speak. */
+  private Optional<Reading> inWords(Utterance utterance) {
+    String text = utterance.text().strip();
+    return text.startsWith("(") || text.startsWith("?") ? Optional.empty() : spoken.read(utterance);
   }
 
   /** What answers the question that was asked last is read with what that was about. */
@@ -93,11 +117,11 @@ public final class WrittenInterlocutor implements Interlocutor {
     return new ChatEvent.Asked(
         part.wanted().isEmpty()
             ? "%s: at least how much? Say a number.".formatted(part.begin())
-            : "%s: which %s? Say its name.".formatted(part.begin(), inWords(part.wanted())),
+            : "%s: which %s? Say its name.".formatted(part.begin(), asWords(part.wanted())),
         choices.stream().limit(MOST_CHOICES).toList());
   }
 
-  private static String inWords(String className) {
+  private static String asWords(String className) {
     return className.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
   }
 
@@ -133,6 +157,19 @@ public final class WrittenInterlocutor implements Interlocutor {
             listener.accept(new ChatEvent.Told(id, entry.text()));
           }
         });
+  }
+
+  private void count(
+      String formula, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
+    questions
+        .know(formula, asker.map(person -> AgentNames.DESK))
+        .thenAccept(
+            answers -> listener.accept(new ChatEvent.Told("", AnswerSentences.counted(answers))))
+        .exceptionally(
+            refusal -> {
+              listener.accept(misunderstood(formula, refusal, words));
+              return null;
+            });
   }
 
   /** All who look read what is answered here: of what is private only what the desk itself may. */

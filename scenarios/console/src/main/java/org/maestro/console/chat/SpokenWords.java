@@ -1,0 +1,101 @@
+package org.maestro.console.chat;
+
+import java.time.Instant;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Supplier;
+import org.maestro.language.Language;
+import org.maestro.language.Understanding;
+import org.maestro.language.reference.Discourse;
+import org.maestro.language.reference.Situation;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
+import org.maestro.sl.Facts;
+
+/**
+ * Reads what a person says in her language, and remembers what was spoken of with her. Any thread
+ * may ask.
+ */
+final class SpokenWords {
+  private static final String ENGLISH = "en";
+  private static final String LOCATION = "Location";
+  private static final int MINUTES_OF_HOUR = 60;
+
+  private final Supplier<Home> home;
+  private final Supplier<? extends Facts> facts;
+  private final Supplier<Instant> now;
+  private Optional<Spoken> spoken = Optional.empty();
+  private Discourse discourse = Discourse.NONE;
+
+  /** The language of a home as it was. */
+  private record Spoken(Home home, Language language) {}
+
+  /**
+   * The words of a home.
+   *
+   * @param home as it is known at the time
+   * @param facts what is known at the time
+   * @param now the time that clocks on the walls show
+   */
+  SpokenWords(Supplier<Home> home, Supplier<? extends Facts> facts, Supplier<Instant> now) {
+    this.home = home;
+    this.facts = facts;
+    this.now = now;
+  }
+
+  /** What is meant, or what is to be asked back; empty when it is not understood. */
+  synchronized Optional<Reading> read(Utterance utterance) {
+    Home there = home.get();
+    Understanding understood =
+        language(there).understand(utterance.text(), situation(there, utterance));
+    Optional<Reading> reading =
+        understood
+            .message()
+            .flatMap(message -> MessageReading.of(message, there))
+            .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())));
+    if (reading.isPresent()) {
+      discourse = understood.discourse(discourse);
+    }
+    return reading;
+  }
+
+  /** A home that changes is another one: what is in it need not be compared. */
+  @SuppressWarnings("ReferenceEquality")
+  private Language language(Home there) {
+    Spoken known =
+        spoken
+            .filter(one -> one.home() == there)
+            .orElseGet(() -> new Spoken(there, Language.of(there, ENGLISH)));
+    spoken = Optional.of(known);
+    return known.language();
+  }
+
+  private Situation situation(Home there, Utterance utterance) {
+    LocalTime time =
+        now.get().atZone(there.timeZone().orElseGet(ZoneId::systemDefault)).toLocalTime();
+    return new Situation(
+        there,
+        facts.get(),
+        Optional.of(utterance.person()),
+        Optional.of(place(there, utterance.room())),
+        Optional.empty(),
+        OptionalInt.of(time.getHour() * MINUTES_OF_HOUR + time.getMinute()),
+        discourse);
+  }
+
+  /** Where a room is no place of which anything is known, its zone is, which is called the same. */
+  private static String place(Home there, String room) {
+    Individual named = there.individuals().get(room);
+    if (named == null || named.classes().contains(LOCATION)) {
+      return room;
+    }
+    return there.individuals().values().stream()
+        .filter(one -> one.classes().contains(LOCATION) && one.label().equals(named.label()))
+        .map(Individual::name)
+        .findFirst()
+        .orElse(room);
+  }
+}
