@@ -66,6 +66,13 @@ public final class Listening {
     return preferred(new Interpreter(situation).of(words.readings()));
   }
 
+  /** The readings that are under way, with what may still be meant. */
+  public List<Understanding.UnderWay> underWay() {
+    return words.isBlocked()
+        ? List.of()
+        : new Narrowing(situation).of(words.chart().partial(Narrowing::isBegun));
+  }
+
   /** The words so far, and what became of them. */
   public List<Heard> heard() {
     return words.heard();

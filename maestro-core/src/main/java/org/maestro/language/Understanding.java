@@ -2,7 +2,9 @@ package org.maestro.language;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.meaning.Doubt;
@@ -31,6 +33,17 @@ public record Understanding(
     List<Meaning> meanings,
     List<Begun> began,
     double coverage) {
+
+  /**
+   * A reading that is under way.
+   *
+   * @param roles what may fill each, in order; nothing of a role that is told otherwise
+   */
+  public record UnderWay(String construction, Map<String, List<String>> roles) {
+    public UnderWay {
+      roles = Collections.unmodifiableMap(new LinkedHashMap<>(roles));
+    }
+  }
 
   /**
    * What may be begun while words are still to come.

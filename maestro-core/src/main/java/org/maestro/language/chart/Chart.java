@@ -19,7 +19,10 @@ import org.maestro.language.grammar.Symbol;
  */
 public final class Chart {
   /** So many readings of what was said so far are made at most. */
-  private static final int PARTIAL = 24;
+  private static final int PARTIAL = 400;
+
+  /** So deep a phrase stands in others at most. */
+  private static final int DEEPEST = 24;
 
   private final RuleIndex rules;
   private final WordEntries lexicon;
@@ -146,46 +149,49 @@ public final class Chart {
   /**
    * The readings of what was said so far, those of whole utterances first; what is still to be said
    * is a hole.
+   *
+   * @param wanted of which forms, whole and in part, readings are made
    */
-  public List<Reading> partial() {
+  public List<Reading> partial(Predicate<Form> wanted) {
     List<Reading> found = new ArrayList<>(complete());
-    begun(derivation -> true, found);
+    begun(derivation -> true, wanted, found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }
 
   /** The readings in which a form of this head was begun last, and is not whole. */
   public List<Reading> begun(String head) {
     List<Reading> found = new ArrayList<>();
-    begun(derivation -> derivation.form().is(head), found);
+    begun(derivation -> derivation.form().is(head), form -> true, found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }
 
-  private void begun(Predicate<Derivation> wanted, List<Reading> found) {
+  private void begun(Predicate<Derivation> first, Predicate<Form> wanted, List<Reading> found) {
     for (Derivation derivation : columns.get(columns.size() - 1).all()) {
-      if (wanted.test(derivation)) {
-        climb(derivation, derivation.form(), derivation.penalty(), 0, found);
+      if (first.test(derivation)) {
+        climb(derivation, derivation.form(), 0, wanted, found);
       }
     }
   }
 
   private void climb(
-      Derivation derivation, Form form, int penalty, int depth, List<Reading> found) {
-    if (found.size() >= PARTIAL || depth > 24) {
+      Derivation derivation, Form form, int depth, Predicate<Form> wanted, List<Reading> found) {
+    if (found.size() >= PARTIAL || depth > DEEPEST || !wanted.test(form)) {
       return;
     }
     if (derivation.origin() == 0 && derivation.rule().category().equals(Grammar.START)) {
-      found.add(new Reading(form, penalty));
+      found.add(new Reading(form, derivation.penalty()));
     }
     Column origin = columns.get(derivation.origin());
     Symbol own = new Symbol.Category(derivation.rule().category());
     for (Derivation waiting : origin.awaiting(own)) {
-      Derivation through = waiting.advanced(form, penalty);
-      climb(through, through.form(), through.penalty(), depth + 1, found);
+      Derivation through = waiting.advanced(form, derivation.penalty());
+      climb(through, through.form(), depth + 1, wanted, found);
     }
     for (Rule rule : rules.beginningWith(own)) {
       if (origin.predicts(rule.category()) && !rule.category().equals(own(own))) {
-        Derivation through = Derivation.begun(rule, derivation.origin()).advanced(form, penalty);
-        climb(through, through.form(), through.penalty(), depth + 1, found);
+        Derivation through =
+            Derivation.begun(rule, derivation.origin()).advanced(form, derivation.penalty());
+        climb(through, through.form(), depth + 1, wanted, found);
       }
     }
   }

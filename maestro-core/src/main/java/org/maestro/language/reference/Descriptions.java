@@ -38,7 +38,7 @@ final class Descriptions {
       case "at" -> of(nominal.part(0)).flatMap(head -> placed(head, nominal.part(1)));
       case "beside", "of" -> of(nominal.part(1)).flatMap(head -> owned(head, nominal.part(0)));
       case "nth" ->
-          of(nominal.part(1)).map(head -> head.ordinal((int) Double.parseDouble(nominal.text(0))));
+          of(nominal.part(1)).map(head -> head.ordinal(NounPhrases.wholeNumber(nominal.text(0))));
       case "other" -> of(nominal.part(0)).map(this::other);
       case "_" -> Optional.of(Description.ofClass(""));
       default -> Optional.empty();

@@ -286,7 +286,7 @@ public final class NounPhrases {
     return switch (determiner) {
       case "a", "some" -> any(description, className, phrase, candidates);
       case "all", "every" -> all(description, className, phrase, candidates);
-      case "count" -> exactly(phrase, candidates, (int) Double.parseDouble(phrase.text(1)));
+      case "count" -> exactly(phrase, candidates, wholeNumber(phrase.text(1)));
       case "this" -> definite(description, phrase, present(candidates));
       default -> definite(description, phrase, candidates);
     };
@@ -310,6 +310,11 @@ public final class NounPhrases {
   private boolean isWide(String kind) {
     ClassDeclaration declared = situation.home().vocabulary().classes().get(kind);
     return declared == null || declared.ancestors().size() < 2;
+  }
+
+  /** The number; 0 while it was not said yet. */
+  static int wholeNumber(String text) {
+    return text.equals(Form.HOLE.head()) ? 0 : (int) Double.parseDouble(text);
   }
 
   private boolean mayFit(Description description, String className) {

@@ -69,6 +69,9 @@ final class UnderstandCommand implements Callable<Integer> {
               + " what was said before.")
   private Optional<Path> file = Optional.empty();
 
+  @Option(names = "--words", description = "Show after each word what could still be meant.")
+  private boolean wordByWord;
+
   @Option(names = "--json", description = "Print one JSON document a line.")
   private boolean json;
 
@@ -105,6 +108,9 @@ final class UnderstandCommand implements Callable<Integer> {
       Understanding understood = language.understand(columns[0], situation);
       double microseconds =
           (System.nanoTime() - begun) / 1e3 / Math.max(1, understood.heard().size());
+      if (wordByWord) {
+        text.narrowing(language, columns[0], situation, out);
+      }
       if (json) {
         ObjectNode document = text.document(understood);
         document.put("microseconds", Math.round(microseconds * 10) / 10.0);

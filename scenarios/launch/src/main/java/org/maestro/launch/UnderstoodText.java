@@ -4,14 +4,21 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import org.maestro.language.Language;
+import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.meaning.Meaning;
+import org.maestro.language.reference.Situation;
 import org.maestro.sl.SlPrinter;
 
 /** What was understood, as text and as JSON. */
 final class UnderstoodText {
+  private static final int MOST_NAMED = 6;
   private static final ObjectMapper JSON = new ObjectMapper();
 
   void print(Understanding understood, PrintWriter out) {
@@ -28,6 +35,35 @@ final class UnderstoodText {
             word.as().map(other -> " (taken for " + other + ")").orElse(""));
       }
     }
+  }
+
+  /** A line for each word and reading: what may still fill its roles. */
+  void narrowing(Language language, String utterance, Situation situation, PrintWriter out) {
+    Listening listening = language.listen(situation);
+    List<List<String>> rows = new ArrayList<>();
+    for (String word : language.words(utterance)) {
+      listening.hear(word);
+      String shown = word;
+      for (Understanding.UnderWay reading : listening.underWay()) {
+        rows.add(List.of(shown, reading.construction(), roles(reading)));
+        shown = "";
+      }
+      if (!shown.isEmpty()) {
+        rows.add(List.of(shown, "", ""));
+      }
+    }
+    new Table(List.of("word", "reading", "may be"), rows).print(out);
+  }
+
+  private static String roles(Understanding.UnderWay reading) {
+    return reading.roles().entrySet().stream()
+        .filter(role -> !role.getValue().isEmpty())
+        .map(
+            role ->
+                role.getValue().size() > MOST_NAMED
+                    ? role.getKey() + ": " + role.getValue().size()
+                    : role.getKey() + ": " + String.join(", ", role.getValue()))
+        .collect(Collectors.joining("; "));
   }
 
   ObjectNode document(Understanding understood) {

@@ -83,6 +83,49 @@ class UnderstandCommandTest {
     }
   }
 
+  /** ADE, 4.2: one glass stands on the table and one on the floor. */
+  @Test
+  void theGlassOnTheFloorIsFoundWordByWord() throws IOException {
+    List<String> rows =
+        inTheKitchen("put the glass on the floor in the refrigerator", "--words")
+            .lines()
+            .map(line -> line.strip().replaceAll("\\s{2,}", " | "))
+            .toList();
+
+    assertThat(rows)
+        .containsSubsequence(
+            "glass | putting | object: glass-1, glass-2",
+            "floor | putting | object: glass-1, glass-2; where: floor-k",
+            "putting | object: glass-2",
+            "refrigerator | putting | object: glass-2; where: refrigerator",
+            "means | (initCNP (:goal (in glass-2 refrigerator)))");
+    assertThat(inTheKitchen("put the glass on the floor"))
+        .contains("(initCNP (:goal (on glass-1 floor-k)))");
+    assertThat(inTheKitchen("put the glass in the refrigerator"))
+        .contains("asks   Which glass, the one on the table or the one on the floor?");
+    assertThat(
+            afterwards(
+                "no, just dump it in the sink", "put the glass on the floor in the refrigerator"))
+        .contains("(initCNP (:goal (in glass-2 sink)))");
+    assertThat(afterwards("the one on the table", "put the glass in the refrigerator"))
+        .contains("(initCNP (:goal (in glass-1 refrigerator)))");
+  }
+
+  private static String inTheKitchen(String words, String... more) {
+    List<String> arguments =
+        new ArrayList<>(
+            List.of("understand", words, "--scene", "glasses", "--as", "Dave", "--in", "kitchen"));
+    arguments.addAll(List.of(more));
+    return Printed.by(arguments.toArray(String[]::new));
+  }
+
+  private String afterwards(String words, String before) throws IOException {
+    Path file =
+        Files.writeString(
+            directory.resolve("said.tsv"), String.join("\t", words, "Dave", "kitchen", before));
+    return Printed.by("understand", "--scene", "glasses", "--file", file.toString());
+  }
+
   @Test
   void whatIsGivenWronglyIsTold() {
     assertThat(refused("understand")).contains("Give words in quotes, or --file, not both.");
