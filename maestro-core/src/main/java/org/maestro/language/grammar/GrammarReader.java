@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads a grammar's file, line by line. A rule is {@code Category = item item -> (form label)},
@@ -25,6 +26,8 @@ public final class GrammarReader {
 
   /** How lists write what parts their entries. */
   private static final String COMMA = "comma";
+
+  private static final int LONGEST_PENALTY = 4;
 
   private final String file;
   private final List<Rule> rules = new ArrayList<>();
@@ -57,6 +60,9 @@ public final class GrammarReader {
         reader.take(content);
       }
     }
+    if (reader.language.isEmpty()) {
+      throw reader.fault("names no language", "write a line such as language en");
+    }
     return new Grammar(
         reader.language,
         reader.rules,
@@ -71,8 +77,8 @@ public final class GrammarReader {
   private void take(String content) {
     Matcher rule = RULE.matcher(content);
     if (rule.matches()) {
-      int penalty = rule.group(4) == null ? 0 : Integer.parseInt(rule.group(4));
-      rule(rule.group(1), rule.group(2), rule.group(3) == null ? "" : rule.group(3), penalty);
+      String template = rule.group(3) == null ? "" : rule.group(3);
+      rule(rule.group(1), rule.group(2), template, penalty(rule.group(4)));
       return;
     }
     int blank = content.indexOf(' ');
@@ -95,6 +101,13 @@ public final class GrammarReader {
     }
   }
 
+  private int penalty(@Nullable String written) {
+    if (written != null && written.length() > LONGEST_PENALTY) {
+      throw fault("!" + written + " is too much", "write a penalty such as !2");
+    }
+    return written == null ? 0 : Integer.parseInt(written);
+  }
+
   private GrammarFaultException fault(String problem, String cure) {
     return new GrammarFaultException(file, line, problem, cure);
   }
@@ -104,15 +117,22 @@ public final class GrammarReader {
     if (sides.length < 2) {
       throw fault("has no = in it", "write the word, = and what it is");
     }
+    if (sides[0].isEmpty() || sides[1].isEmpty()) {
+      throw fault("has nothing beside its =", "write the word, = and what it is");
+    }
     taken.accept(sides[0], sides[1]);
   }
 
   private double number(String text) {
     try {
-      return Double.parseDouble(text);
+      double value = Double.parseDouble(text);
+      if (Double.isFinite(value)) {
+        return value;
+      }
     } catch (NumberFormatException e) {
-      throw fault(text + " is no number", "write one such as 20");
+      // It is told below, as what is not finite is.
     }
+    throw fault(text + " is no number", "write one such as 20");
   }
 
   private void list(String rest) {
@@ -120,7 +140,10 @@ public final class GrammarReader {
         rest,
         (name, words) -> {
           Set<List<String>> entries = lists.computeIfAbsent(name, n -> new LinkedHashSet<>());
-          for (String entry : words.split("\\s*,\\s*")) {
+          for (String entry : words.split("\\s*,\\s*", -1)) {
+            if (entry.isEmpty()) {
+              throw fault("has a comma with nothing beside it", "write comma where , is meant");
+            }
             entries.add(entry.equals(COMMA) ? List.of(",") : List.of(entry.split("\\s+")));
           }
         });
@@ -131,10 +154,17 @@ public final class GrammarReader {
     if (parts.length < 2 || parts.length > 3) {
       throw fault("is no ending", "write its form, a pattern and what replaces it: ing e$ ing");
     }
+    String replacement = parts.length == 3 ? parts[2] : "";
     try {
+      Pattern fits = Pattern.compile(parts[1]);
+      int groups = Math.min(9, fits.matcher("").groupCount());
+      if (!replacement.matches("([^$\\\\]|\\$[0-" + groups + "])*")) {
+        throw fault(
+            replacement + " names no group of " + parts[1], "write $1 for what its ( ) enclose");
+      }
       endings
           .computeIfAbsent(parts[0], form -> new ArrayList<>())
-          .add(new Inflection.Ending(Pattern.compile(parts[1]), parts.length == 3 ? parts[2] : ""));
+          .add(new Inflection.Ending(fits, replacement));
     } catch (PatternSyntaxException e) {
       throw fault(parts[1] + " is no pattern", "write a regular expression such as e$");
     }
@@ -155,6 +185,9 @@ public final class GrammarReader {
   }
 
   private void rule(String category, String items, String template, int penalty) {
+    if (items.contains("->")) {
+      throw fault("has no items before its ->", "write what is said between = and ->");
+    }
     List<Item> read = Arrays.stream(items.split("\\s+")).map(this::item).toList();
     Set<String> labels = new LinkedHashSet<>();
     read.stream().map(Item::label).filter(label -> !label.isEmpty()).forEach(labels::add);
