@@ -88,7 +88,7 @@ public final class Lexicon implements WordEntries {
 
   Lexicon(Map<List<String>, Map<String, List<Form>>> entries, Grammar grammar) {
     this.entries = entries;
-    this.numbers = new NumberWords(grammar.numbers(), grammar.times());
+    this.numbers = new NumberWords(grammar.numbers(), grammar.times(), grammar.list("joining"));
     int most = LONGEST_NUMBER;
     for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {
       List<String> written = entry.getKey();

@@ -45,14 +45,11 @@ public final class Tokens {
   }
 
   private void take(String written, List<String> words) {
-    String word = BEGINNINGS.matcher(written).replaceFirst("").toLowerCase(Locale.ROOT);
+    String word = BEGINNINGS.matcher(cut(written)).replaceFirst("").toLowerCase(Locale.ROOT);
     word = ENDS.matcher(word).replaceFirst("");
     boolean comma = word.endsWith(",");
     word = word.replaceFirst(",+$", "");
     word = ENDS.matcher(word).replaceFirst("");
-    if (word.length() > LONGEST_WORD) {
-      word = word.substring(0, LONGEST_WORD);
-    }
     boolean cutOff = word.length() > 1 && word.endsWith(CUT_OFF);
     word = cutOff ? word.substring(0, word.length() - 1) : word;
     if (!word.isEmpty()) {
@@ -66,6 +63,14 @@ public final class Tokens {
     }
   }
 
+  private static String cut(String written) {
+    if (written.length() <= LONGEST_WORD) {
+      return written;
+    }
+    boolean isWithinASign = Character.isHighSurrogate(written.charAt(LONGEST_WORD - 1));
+    return written.substring(0, isWithinASign ? LONGEST_WORD - 1 : LONGEST_WORD);
+  }
+
   private void spelled(String word, List<String> words) {
     String other = spellings.get(word);
     if (other != null) {
@@ -73,7 +78,9 @@ public final class Tokens {
       return;
     }
     if (word.endsWith("'s")) {
-      spelled(word.substring(0, word.length() - 2), words);
+      if (word.length() > 2) {
+        spelled(word.substring(0, word.length() - 2), words);
+      }
       words.add("'s");
       return;
     }

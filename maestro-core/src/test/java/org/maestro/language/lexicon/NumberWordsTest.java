@@ -1,0 +1,109 @@
+package org.maestro.language.lexicon;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.language.Language;
+import org.maestro.language.chart.WordEntries;
+import org.maestro.language.grammar.GrammarReader;
+
+/** Numbers are entries of each lexicon, in words and in figures. */
+class NumberWordsTest {
+  private static Lexicon lexicon;
+
+  @BeforeAll
+  static void read() throws IOException {
+    try (InputStream stream = Language.class.getResourceAsStream("en.grammar")) {
+      String text = new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+      lexicon = new Lexicon(Map.of(), GrammarReader.read(text, "en.grammar"));
+    }
+  }
+
+  /** What all of the words are, as one number. */
+  private static List<String> values(String text) {
+    List<String> words = List.of(text.split(" "));
+    return lexicon.endingWith(words).stream()
+        .filter(entry -> entry.category().equals(Lexicon.NUMBER) && entry.words() == words.size())
+        .map(WordEntries.Entry::meaning)
+        .map(Object::toString)
+        .toList();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "zero | 0",
+        "twelve | 12",
+        "twenty five | 25",
+        "twenty-five | 25",
+        "two hundred | 200",
+        "two hundred five | 205",
+        "two hundred and ten | 210",
+        "one hundred twenty five | 125",
+        "two thousand five hundred | 2500",
+        "two hundred thousand | 200000",
+        "one hundred fifty thousand | 150000",
+        "12 | 12",
+        "-3 | -3",
+        "0.5 | 0.5",
+        "0,5 | 0.5",
+      })
+  void aNumberIsWhatItsWordsAre(String words, String value) {
+    assertThat(values(words)).containsExactly(value);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "five twenty",
+        "five six",
+        "twenty fifteen",
+        "fifteen five",
+        "twenty zero",
+        "hundred",
+        "five hundred three hundred",
+        "two hundred and",
+        "and ten",
+        "ten and five",
+        "two hundred hundred",
+        "1e9",
+        "1234567890123456",
+        "12:30",
+        "lamp",
+        "five lamp",
+      })
+  void whatIsNotOneNumberIsNone(String words) {
+    assertThat(values(words)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "10:30, true",
+    "7:05, true",
+    "23:59, true",
+    "24:00, false",
+    "10:60, false",
+    "10, false"
+  })
+  void aTimeOfDayIsWrittenInFigures(String word, boolean expected) {
+    assertThat(
+            lexicon.endingWith(List.of(word)).stream()
+                .anyMatch(entry -> entry.category().equals(Lexicon.TIME)))
+        .isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"seven, true", "70, true", "lamp, false"})
+  void aNumberIsAKnownWord(String word, boolean expected) {
+    assertThat(lexicon.knows(word)).isEqualTo(expected);
+  }
+}
