@@ -86,7 +86,11 @@ public final class Chart {
         complete(entry.category(), origin, entry.meaning(), 0);
       }
     }
-    return !next.isEmpty() || beginsAnEntry();
+    if (next.isEmpty() && !beginsAnEntry()) {
+      cut(words.size() - 1);
+      return false;
+    }
+    return true;
   }
 
   private boolean beginsAnEntry() {

@@ -140,7 +140,8 @@ public final class HeardWords {
       heard.add(new Heard(word, Heard.Fate.FILLER));
       return;
     }
-    if (!blocked && (repairing ? extend(word, false) : extend(word))) {
+    // After a repair, a word is not one of whichever words that somebody is to be told.
+    if (!blocked && chart.extend(word, !repairing)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
       taken(word);
       return;
@@ -212,23 +213,6 @@ public final class HeardWords {
     return resumption.isPresent() || isStutter || hesitating && words.contains(word);
   }
 
-  private boolean extend(String word) {
-    return extend(word, true);
-  }
-
-  /**
-   * After a repair, a word is not one of whichever words that somebody is to be told.
-   *
-   * @param freely whether it may be
-   */
-  private boolean extend(String word, boolean freely) {
-    if (chart.extend(word, freely)) {
-      return true;
-    }
-    chart.cut(chart.size() - 1);
-    return false;
-  }
-
   private void taken(String word) {
     repairing = false;
     hesitating = false;
@@ -261,7 +245,7 @@ public final class HeardWords {
     List<String> now = chart.words();
     for (int column = last.column() - 1; column >= 0; column--) {
       restore(last.before().subList(0, column));
-      if (since.stream().allMatch(one -> extend(one, false))
+      if (since.stream().allMatch(one -> chart.extend(one, false))
           && (!whole || !chart.complete().isEmpty())) {
         withdraw(last.before().subList(column, last.before().size()));
         resumption = Optional.of(new Resumption(last.before(), column, List.copyOf(since)));
@@ -303,7 +287,7 @@ public final class HeardWords {
   }
 
   private boolean fits(String word) {
-    boolean fits = extend(word);
+    boolean fits = chart.extend(word);
     if (fits) {
       chart.cut(chart.size() - 1);
     }
