@@ -137,8 +137,8 @@ class ChartTest {
 
   @Test
   void whatWasSaidSoFarHasAHoleForTheRest() {
-    assertThat(forms(after("take").partial())).contains("(take _)", "(bring _ _)");
-    assertThat(forms(after("take the cup to").partial())).contains("(bring Cup _)");
+    assertThat(forms(after("take").partial(form -> true))).contains("(take _)", "(bring _ _)");
+    assertThat(forms(after("take the cup to").partial(form -> true))).contains("(bring Cup _)");
     assertThat(forms(after("take the cup to").begun("bring"))).contains("(bring Cup _)");
     assertThat(after("take the cup to").begun("say")).isEmpty();
   }
