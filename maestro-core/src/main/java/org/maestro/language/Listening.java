@@ -18,6 +18,12 @@ import org.maestro.sl.Content;
 
 /** Listens to one utterance, word by word. Not safe for threads. */
 public final class Listening {
+  /**
+   * Of so few words what is lacking is asked for; of more it is likelier that it was meant
+   * otherwise.
+   */
+  private static final int FEW_WORDS = 5;
+
   private final Grammar grammar;
   private final HeardWords words;
   private Situation situation;
@@ -98,7 +104,7 @@ public final class Listening {
         utterance,
         message,
         question,
-        best.isEmpty() ? Optional.of(notUnderstood()) : Optional.empty(),
+        reply(best, message, question),
         words.heard(),
         meanings,
         began,
@@ -109,7 +115,8 @@ public final class Listening {
   private List<Meaning> lackingARole() {
     boolean isMisplaced =
         words.heard().stream().anyMatch(word -> word.fate() == Heard.Fate.UNPLACED);
-    if (isMisplaced) {
+    boolean isCutOff = words.heard().stream().anyMatch(word -> word.fate() == Heard.Fate.UNKNOWN);
+    if (isMisplaced || !isCutOff && words.chart().size() > FEW_WORDS) {
       return List.of();
     }
     // Whatever may be told to somebody is no sign that it was meant so.
@@ -173,6 +180,20 @@ public final class Listening {
     ordered.sort(Comparator.comparing(one -> one.doubt().isEmpty()));
     meanings.stream().filter(one -> !tied.contains(one)).forEach(ordered::add);
     return ordered;
+  }
+
+  /** What is said when there is neither something to do nor to ask. */
+  private Optional<String> reply(
+      Optional<Meaning> best, Optional<Content> message, Optional<String> question) {
+    if (message.isPresent() || question.isPresent()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        best.map(Meaning::form)
+            .map(Form::head)
+            .filter(head -> head.equals("greet") || head.equals("thank") || head.equals("no"))
+            .map(grammar::phrase)
+            .orElseGet(this::notUnderstood));
   }
 
   private String notUnderstood() {

@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Reference;
 import org.maestro.language.reference.Relations;
 import org.maestro.language.reference.Situation;
@@ -19,6 +20,7 @@ import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Content;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -155,12 +157,21 @@ final class Frames {
       return bound(construction, fillers, at + 1, terms, said);
     }
     if (filler.is("_")) {
-      Map<String, Term> more = new HashMap<>(terms);
-      role.usually()
-          .flatMap(this::usual)
-          .or(() -> unsaid(construction, role))
-          .ifPresent(term -> more.put(role.name(), term));
-      return bound(construction, fillers, at + 1, more, said);
+      Optional<Term> usual = role.usually().flatMap(this::usual);
+      Function<Map<String, Term>, Optional<Formula>> others =
+          more -> bound(construction, fillers, at + 1, more, said);
+      if (usual.isPresent() || !isOfAClass(role)) {
+        Map<String, Term> more = new HashMap<>(terms);
+        usual.ifPresent(term -> more.put(role.name(), term));
+        return others.apply(more);
+      }
+      return references.over(
+          unsaid(construction, role),
+          term -> {
+            Map<String, Term> more = new HashMap<>(terms);
+            more.put(role.name(), term);
+            return others.apply(more);
+          });
     }
     Optional<Term> value = Values.of(filler);
     Function<Term, Optional<Formula>> next =
@@ -172,11 +183,38 @@ final class Frames {
     return value.isPresent() ? next.apply(value.get()) : references.over(filler, role.type(), next);
   }
 
-  /** What was spoken of last, or is the only one here, or the only one there is. */
-  private Optional<Term> unsaid(Construction construction, Construction.Role role) {
-    return situation.home().vocabulary().classes().containsKey(role.type())
-        ? references.phrases().only(role.type(), term -> isKnownOf(construction, role.name(), term))
+  /**
+   * What was spoken of last, or is the only one here, or the only one there is, or of which it is
+   * not so already.
+   */
+  private Reference unsaid(Construction construction, Construction.Role role) {
+    NounPhrases phrases = references.phrases();
+    Reference known = phrases.only(role.type(), term -> isKnownOf(construction, role.name(), term));
+    return known instanceof Reference.Open
+        ? phrases.only(role.type(), term -> isLacking(construction, role.name(), term))
+        : known;
+  }
+
+  private boolean isLacking(Construction construction, String role, Term term) {
+    return construction
+        .means()
+        .flatMap(Frames::goal)
+        .filter(Content.Argument.OfFormula.class::isInstance)
+        .map(goal -> ((Content.Argument.OfFormula) goal).formula())
+        .map(goal -> new Substitution(Map.of(role, term)).apply(goal))
+        .filter(goal -> FreeVariables.of(goal).isEmpty())
+        .map(goal -> !references.phrases().relations().holds(goal, Map.of()))
+        .orElse(false);
+  }
+
+  private Optional<Term> only(Construction construction, Construction.Role role) {
+    return isOfAClass(role) && unsaid(construction, role) instanceof Reference.Single single
+        ? Optional.of(single.term())
         : Optional.empty();
+  }
+
+  private boolean isOfAClass(Construction.Role role) {
+    return situation.home().vocabulary().classes().containsKey(role.type());
   }
 
   /** Whether the numbers that the message names are known of this thing. */
@@ -287,7 +325,7 @@ final class Frames {
       if (filler.is("_")) {
         role.usually()
             .flatMap(this::usual)
-            .or(() -> unsaid(construction, role))
+            .or(() -> only(construction, role))
             .ifPresent(term -> terms.put(role.name(), List.of(term)));
         continue;
       }

@@ -179,16 +179,20 @@ public final class NounPhrases {
    * The one of the class that was spoken of last, or is the only one here or anywhere, or of
    * several the only one of which enough is known.
    */
-  public Optional<Term> only(String className, Predicate<Term> known) {
+  public Reference only(String className, Predicate<Term> known) {
     Reference last = latest(Form.leaf("it"), className);
-    if (last instanceof Reference.Single single) {
-      return Optional.of(single.term());
+    if (last instanceof Reference.Single) {
+      return last;
     }
     List<Term.Name> all = candidates(Description.ofClass(className), className);
     List<Term.Name> here = all.stream().filter(this::isHere).toList();
     List<Term.Name> among = here.isEmpty() ? all : here;
     List<Term.Name> fitting = among.size() == 1 ? among : among.stream().filter(known).toList();
-    return fitting.size() == 1 ? Optional.of(fitting.get(0)) : Optional.empty();
+    if (fitting.size() == 1) {
+      return single(fitting.get(0));
+    }
+    Form kind = Form.of("np", Form.leaf("the"), Form.of("noun", Form.leaf(className)));
+    return among.isEmpty() ? new Reference.None(kind) : new Reference.Open(kind, among);
   }
 
   private Reference joined(Form phrase, String className) {
@@ -399,10 +403,21 @@ public final class NounPhrases {
   }
 
   private Reference definite(Description description, Form phrase, List<Term.Name> candidates) {
-    List<Term.Name> ordered = candidates;
-    if (description.nth() != 0 && !candidates.isEmpty()) {
-      int index = description.nth() < 0 ? candidates.size() - 1 : description.nth() - 1;
-      return index < candidates.size() ? single(candidates.get(index)) : new Reference.None(phrase);
+    // Nobody calls himself the person.
+    List<Term.Name> ordered =
+        candidates.size() > 1
+            ? candidates.stream()
+                .filter(one -> situation.speaker().filter(one.text()::equals).isEmpty())
+                .toList()
+            : candidates;
+    if (description.nth() != 0) {
+      List<Term.Name> here =
+          description.placed() ? List.of() : ordered.stream().filter(this::isHere).toList();
+      List<Term.Name> among = here.isEmpty() ? ordered : here;
+      int index = description.nth() < 0 ? among.size() - 1 : description.nth() - 1;
+      return index >= 0 && index < among.size()
+          ? single(among.get(index))
+          : new Reference.None(phrase);
     }
     if (ordered.size() == 1) {
       return single(ordered.get(0));

@@ -1,8 +1,10 @@
 package org.maestro.language.wording;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -61,17 +63,19 @@ public final class QuestionsBack {
    * What is asked when readings are as good: which kind of thing is meant, where they differ so.
    */
   public String between(List<Meaning> meanings) {
-    List<String> kinds =
+    Set<Term.Name> common = new LinkedHashSet<>(meanings.get(0).mentioned());
+    meanings.forEach(meaning -> common.retainAll(meaning.mentioned()));
+    List<Term.Name> different =
         meanings.stream()
-            .map(Meaning::mentioned)
-            .filter(mentioned -> !mentioned.isEmpty())
-            .map(mentioned -> mentioned.get(mentioned.size() - 1))
-            .distinct()
-            .map(naming::kind)
-            .flatMap(Optional::stream)
+            .flatMap(
+                meaning ->
+                    meaning.mentioned().stream().filter(thing -> !common.contains(thing)).limit(1))
             .distinct()
             .toList();
-    return ofKinds(kinds);
+    List<String> names = different.stream().map(naming::of).distinct().toList();
+    return names.size() == 2
+        ? filled(grammar.phrase("which-name"), Map.of("first", names.get(0), "last", names.get(1)))
+        : ofKinds(kinds(different));
   }
 
   private List<String> kinds(List<Term.Name> candidates) {

@@ -83,7 +83,8 @@ final class HouseholdWords {
       left.remove(HOUSEHOLD);
     }
     left.removeIf(word -> isWord(words, word) && gone.contains(Literals.name(word)));
-    while (left.removeIf(word -> usedBy.get(word).stream().anyMatch(gone::contains))) {
+    while (left.removeIf(
+        word -> usedBy.getOrDefault(word, Set.of()).stream().anyMatch(gone::contains))) {
       ownWords()
           .filter(word -> !left.contains(word))
           .forEach(word -> gone.add(Literals.name(word)));

@@ -54,6 +54,18 @@ final class SceneFacts {
               entry.level().ifPresent(level -> reported(home, name, "level", level, facts));
             });
     scene.openings().forEach((name, open) -> reported(home, name, "opening", open, facts));
+    // Lamps and shutters of which a scene says nothing are off and closed.
+    home.devices()
+        .keySet()
+        .forEach(
+            name -> {
+              if (scene.of(name).level().isEmpty()) {
+                reported(home, name, "level", 0, facts);
+              }
+              if (!scene.openings().containsKey(name)) {
+                reported(home, name, "opening", 0, facts);
+              }
+            });
     home.individuals().keySet().forEach(name -> facts.addAll(scene.states(name)));
     return facts;
   }
