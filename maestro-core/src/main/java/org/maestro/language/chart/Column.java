@@ -16,11 +16,15 @@ final class Column {
   /** So many derivations of the same part are kept: the usual ones. */
   private static final int KEPT = 16;
 
+  /** So many readings of parts that end with the same word are looked at: nobody means more. */
+  private static final int MOST = 500;
+
   private final Map<Symbol, List<Derivation>> awaiting = new HashMap<>();
   private final Map<Part, List<Reading>> complete = new HashMap<>();
   private final Map<Place, Integer> kept = new HashMap<>();
   private final Set<String> predicted = new HashSet<>();
   private final RuleIndex rules;
+  private int taken;
 
   /** A category that began in a column and ends here. */
   record Part(String category, int origin) {}
@@ -61,6 +65,9 @@ final class Column {
 
   /** Notes what a category means that ends here; false when that is known, or there are enough. */
   boolean add(Part part, Form form, int penalty) {
+    if (taken >= MOST) {
+      return false;
+    }
     List<Reading> readings = complete.computeIfAbsent(part, p -> new ArrayList<>());
     if (readings.stream().anyMatch(one -> one.form().equals(form) && one.penalty() <= penalty)) {
       return false;
@@ -72,6 +79,7 @@ final class Column {
       }
       readings.remove(worst);
     }
+    taken++;
     readings.add(new Reading(form, penalty));
     return true;
   }

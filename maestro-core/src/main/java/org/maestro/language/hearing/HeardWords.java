@@ -20,6 +20,9 @@ import org.maestro.language.lexicon.Tokens;
  * speaker corrects it. Not safe for threads.
  */
 public final class HeardWords {
+  /** Nobody says more words in one breath; of more of them nothing is understood. */
+  private static final int LONGEST = 120;
+
   private final Grammar grammar;
   private final Lexicon lexicon;
   private final Supplier<Chart> fresh;
@@ -32,6 +35,7 @@ public final class HeardWords {
   private int repairs;
   private boolean hesitating;
   private boolean blocked;
+  private boolean tooLong;
   private Optional<Resumption> resumption = Optional.empty();
 
   /**
@@ -67,6 +71,13 @@ public final class HeardWords {
 
   /** Takes the next word. */
   public void take(String word) {
+    if (heard.size() + held.size() >= LONGEST) {
+      tooLong = true;
+      held.forEach(this::notPlaced);
+      held = List.of();
+      notPlaced(word);
+      return;
+    }
     List<String> sequence = new ArrayList<>(held);
     sequence.add(word);
     if (!held.isEmpty()) {
@@ -95,6 +106,9 @@ public final class HeardWords {
 
   /** Nothing more is said. */
   public void end() {
+    if (tooLong) {
+      return;
+    }
     List<String> before = held;
     held = List.of();
     before.forEach(one -> place(one, false));
@@ -160,7 +174,7 @@ public final class HeardWords {
     } else if (!blocked && letGo()) {
       place(word, mayHold);
     } else if (blocked) {
-      heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
+      notPlaced(word);
     } else if (mayResume(word) && goOnEarlier(word)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
       repairing = false;
@@ -243,8 +257,9 @@ public final class HeardWords {
 
   private boolean goOnEarlier(Resumption last, List<String> since, boolean whole) {
     List<String> now = chart.words();
+    restore(last.before());
     for (int column = last.column() - 1; column >= 0; column--) {
-      restore(last.before().subList(0, column));
+      chart.cut(column);
       if (since.stream().allMatch(one -> chart.extend(one, false))
           && (!whole || !chart.complete().isEmpty())) {
         withdraw(last.before().subList(column, last.before().size()));
@@ -283,6 +298,10 @@ public final class HeardWords {
       }
     }
     blocked = true;
+    notPlaced(word);
+  }
+
+  private void notPlaced(String word) {
     heard.add(new Heard(word, isKnown(word) ? Heard.Fate.UNPLACED : Heard.Fate.UNKNOWN));
   }
 
@@ -304,9 +323,9 @@ public final class HeardWords {
     return repairs;
   }
 
-  /** Whether a word was heard that fits nothing. */
+  /** Whether a word was heard that fits nothing, or too many were. */
   public boolean isBlocked() {
-    return blocked;
+    return blocked || tooLong;
   }
 
   /** What became of each word. */
@@ -321,6 +340,6 @@ public final class HeardWords {
 
   /** The readings of all that was said; none while a word stays unplaced. */
   public List<Reading> readings() {
-    return blocked ? List.of() : chart.complete();
+    return isBlocked() ? List.of() : chart.complete();
   }
 }

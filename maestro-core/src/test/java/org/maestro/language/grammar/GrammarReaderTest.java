@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,8 +38,8 @@ class GrammarReaderTest {
         .apply(
             label ->
                 rule.labels().contains(label)
-                    ? java.util.Optional.of(Form.leaf(label.toUpperCase(java.util.Locale.ROOT)))
-                    : java.util.Optional.empty())
+                    ? Optional.of(Form.leaf(label.toUpperCase(Locale.ROOT)))
+                    : Optional.empty())
         .orElseThrow();
   }
 
@@ -96,8 +99,8 @@ class GrammarReaderTest {
             "spelling can't = can not");
 
     assertThat(grammar.language()).isEqualTo("xx");
-    assertThat(grammar.numbers()).containsExactly(java.util.Map.entry("two", 2.0));
-    assertThat(grammar.times()).containsExactly(java.util.Map.entry("dozen", 12.0));
+    assertThat(grammar.numbers()).containsExactly(Map.entry("two", 2.0));
+    assertThat(grammar.times()).containsExactly(Map.entry("dozen", 12.0));
     assertThat(grammar.list("filler"))
         .isEqualTo(Set.of(List.of("uh"), List.of("you", "know"), List.of(",")));
     assertThat(grammar.list("other")).isEmpty();

@@ -184,6 +184,17 @@ class HeardWordsTest {
   }
 
   @Test
+  void ofMoreWordsThanAnybodySaysNothingIsUnderstood() {
+    assertThat(heard("tell Ann that " + "zzyzx ".repeat(100)).readings()).hasSize(1);
+
+    HeardWords heard = heard("tell Ann that " + "zzyzx ".repeat(10_000) + "no, bring the saucer");
+
+    assertThat(heard.isBlocked()).isTrue();
+    assertThat(heard.readings()).isEmpty();
+    assertThat(heard.heard()).hasSize(10_008);
+  }
+
+  @Test
   void wordsOfAGrammarAreThoseOfItsRulesAndNumbers() {
     assertThat(HeardWords.wordsOf(GRAMMAR))
         .containsExactlyInAnyOrder("bring", "to", "tell", "that", "three");
