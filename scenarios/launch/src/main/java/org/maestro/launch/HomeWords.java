@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Optional;
 import org.maestro.console.documents.WordsDocument;
 import org.maestro.console.questions.Questions;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.WordList;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -24,6 +25,13 @@ final class HomeWords {
         .map(WordList::of)
         .map(WordsDocument::of)
         .orElseGet(this::ofThePlatform);
+  }
+
+  /** The home that is named. */
+  Home home() {
+    return Shipped.home(
+        home.orElseThrow(
+            () -> CommandException.badInput("--language goes with a home, such as evening.")));
   }
 
   private JsonNode ofThePlatform() {

@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
       KnowCommand.class,
       WordsCommand.class,
       UnderstandCommand.class,
+      SayCommand.class,
       SlCommand.class,
       WhyCommand.class,
       TraceCommand.class,

@@ -2,8 +2,10 @@ package org.maestro.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.maestro.language.Language;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,13 +24,25 @@ final class WordsCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private HomeWords words;
 
+  @Option(
+      names = "--language",
+      description = "List how all in a home is called by people; with a home.")
+  private boolean language;
+
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
   @Override
   public Integer call() {
-    JsonNode document = words.document();
     PrintWriter out = spec.commandLine().getOut();
+    if (language) {
+      if (json) {
+        throw CommandException.badInput("--language prints no JSON; leave --json out.");
+      }
+      printLexicon(out);
+      return ExitCode.DONE;
+    }
+    JsonNode document = words.document();
     if (json) {
       out.println(document);
     } else {
@@ -44,5 +58,18 @@ final class WordsCommand implements Callable<Integer> {
           .print(out);
     }
     return ExitCode.DONE;
+  }
+
+  private void printLexicon(PrintWriter out) {
+    List<List<String>> rows = new ArrayList<>();
+    Language.of(words.home(), "en")
+        .lexicon()
+        .listed()
+        .forEach(
+            (category, entries) ->
+                entries.forEach(
+                    (called, meanings) ->
+                        rows.add(List.of(category, called, String.join(" or ", meanings)))));
+    new Table(List.of("category", "words", "meaning"), rows).print(out);
   }
 }

@@ -61,6 +61,19 @@ class ConsoleOfPlatformTest {
     }
   }
 
+  @Test
+  void whatIsSaidIsDoneAndTold() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      await(platform, SERVED);
+
+      assertThat(command("say", "turn on all the lamps in room A", "--as", "Bob", "--in", "room-a"))
+          .contains("(and (= (level lamp-a1) 1) (= (level lamp-a2) 1))")
+          .contains("Reached");
+      assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a"))
+          .contains("zone-b");
+    }
+  }
+
   private static List<String> requests() throws IOException {
     return Files.readAllLines(DOCS.resolve("guide-console.md")).stream()
         .map(String::strip)

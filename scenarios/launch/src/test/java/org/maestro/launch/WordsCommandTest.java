@@ -35,6 +35,22 @@ class WordsCommandTest {
   }
 
   @Test
+  void howPeopleCallWhatIsInAHomeIsListed() {
+    assertThat(
+            said("words", "evening", "--language")
+                .lines()
+                .map(line -> line.replaceAll(" {2,}", " | "))
+                .toList())
+        .contains(
+            "Name | lounge | (name livingroom)",
+            "Noun | light | (noun Lamp)",
+            "State | lit | (state lampOn zoneLight)",
+            "Preposition | into | (prep in)");
+    assertThat(said("words", "--language"))
+        .contains("--language goes with a home, such as evening.");
+  }
+
+  @Test
   void aCommandThatIsNotThereIsGuessed() {
     assertThat(said("gaol", "(nextTo Cup Bob)"))
         .isEqualToIgnoringNewLines(

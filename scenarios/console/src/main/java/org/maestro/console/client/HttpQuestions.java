@@ -101,6 +101,18 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> say(String person, String room, String text) {
+    ObjectNode body = JsonNodeFactory.instance.objectNode();
+    body.put("person", person).put("room", room).put("text", text);
+    return request("POST", "/chat", Optional.of(body));
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> said() {
+    return get("/chat");
+  }
+
+  @Override
   public CompletableFuture<JsonNode> order(AgentOrder order) {
     ObjectNode body = JsonNodeFactory.instance.objectNode();
     if (order instanceof AgentOrder.Add add) {

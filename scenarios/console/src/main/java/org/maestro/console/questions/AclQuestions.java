@@ -168,6 +168,19 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> say(String person, String room, String text) {
+    return said();
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> said() {
+    return CompletableFuture.failedFuture(
+        RefusalException.outside(
+            "What people say is heard by the console, which does not answer here; run the platform"
+                + " with one (without --console off), or state a goal: ./maestro goal."));
+  }
+
+  @Override
   public CompletableFuture<Void> cancel(String goal) {
     return cancel(goal, Optional.empty());
   }

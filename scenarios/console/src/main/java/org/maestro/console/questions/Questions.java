@@ -54,6 +54,16 @@ public interface Questions {
   CompletableFuture<Void> answer(String question, String text);
 
   /**
+   * Says something as a person of the home.
+   *
+   * @return the number under which it is kept
+   */
+  CompletableFuture<JsonNode> say(String person, String room, String text);
+
+  /** What was said lately, and what became of it. */
+  CompletableFuture<JsonNode> said();
+
+  /**
    * Changes which agents there are.
    *
    * @return what was done, in sentences
