@@ -119,7 +119,7 @@ class ChatPageTest {
 
     long question =
         say("Bob", "room-a", "How many lamps are on in here?").document().path("number").asLong();
-    assertThat(answer(question, "told").path("text").asText()).isEqualTo("2 are known.");
+    assertThat(answer(question, "told").path("text").asText()).isEqualTo("Two.");
 
     long open = say("Bob", "room-a", "Turn off the lamp.").document().path("number").asLong();
     assertThat(answer(open, "asked").path("text").asText()).startsWith("Which lamp");

@@ -70,7 +70,7 @@ class ConsoleOfPlatformTest {
           .contains("(and (= (level lamp-a1) 1) (= (level lamp-a2) 1))")
           .contains("Reached");
       assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a"))
-          .contains("zone-b");
+          .isEqualTo("Room B.");
     }
   }
 

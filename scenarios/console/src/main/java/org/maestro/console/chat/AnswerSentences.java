@@ -29,23 +29,6 @@ final class AnswerSentences {
     return sentences.isEmpty() ? List.of("Nothing is known of that.") : sentences;
   }
 
-  /**
-   * How many answers say yes, and of how many nobody knows.
-   *
-   * @param document as the question of knowledge is answered
-   */
-  static String counted(JsonNode document) {
-    int certain = 0;
-    int unknown = 0;
-    for (JsonNode answer : document.path("answers")) {
-      String truth = answer.path("truth").asText();
-      certain += truth.equals("true") ? 1 : 0;
-      unknown += truth.equals("unknown") ? 1 : 0;
-    }
-    String sure = certain == 1 ? "1 is known." : certain + " are known.";
-    return unknown == 0 ? sure : sure + " Of %d more nobody knows.".formatted(unknown);
-  }
-
   private static String sentence(JsonNode answer) {
     String truth = answer.path("truth").asText();
     if (truth.equals("unknown")) {

@@ -29,7 +29,7 @@ final class MessageReading {
   }
 
   private static Reading question(Formula formula) {
-    return new Reading.Question(SlPrinter.print(formula));
+    return new Reading.Asked(SlPrinter.print(formula));
   }
 
   private static Optional<Formula> formula(Content message) {
@@ -52,7 +52,7 @@ final class MessageReading {
     if (value.isPresent()) {
       return value.get().arguments().stream()
           .findFirst()
-          .map(fluent -> new Reading.Question("(= %s ?value)".formatted(SlPrinter.print(fluent))));
+          .map(fluent -> new Reading.Asked("(= %s ?value)".formatted(SlPrinter.print(fluent))));
     }
     if (named(message, "history").isPresent()) {
       return Optional.empty();
@@ -60,7 +60,7 @@ final class MessageReading {
     Optional<String> formula = formula(message).map(SlPrinter::print);
     return named(message, "count").isPresent()
         ? formula.map(Reading.Counted::new)
-        : formula.map(Reading.Question::new);
+        : formula.map(Reading.Asked::new);
   }
 
   private static Optional<Reading> goals(Content sequence, Home home) {

@@ -15,6 +15,9 @@ sealed interface Reading {
     }
   }
 
+  /** Something that is asked as people speak, and is answered so. */
+  record Asked(String formula) implements Reading {}
+
   /** For how many things this is so. */
   record Counted(String formula) implements Reading {}
 

@@ -1,19 +1,34 @@
 package org.maestro.console.chat;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Supplier;
+import org.maestro.console.documents.AnswersDocument;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
+import org.maestro.language.wording.AnswerWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
+import org.maestro.sl.Formula;
+import org.maestro.sl.FreeVariables;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /**
  * Reads what a person says in her language, and remembers what was spoken of with her. Any thread
@@ -60,6 +75,56 @@ final class SpokenWords {
       discourse = understood.discourse(discourse);
     }
     return reading;
+  }
+
+  /** What is known of a question that was understood, as people say it. */
+  synchronized String answer(JsonNode document) {
+    return answers().of(found(document));
+  }
+
+  /**
+   * For how many things it is known to be so.
+   *
+   * @param formula with the variable that was counted
+   */
+  synchronized String counted(JsonNode document, String formula) {
+    return answers().counted(found(document), isKnownOfAll(formula));
+  }
+
+  /** Whether of nothing it is unknown. */
+  private boolean isKnownOfAll(String text) {
+    Home there = home.get();
+    Formula formula = SlParser.formula(text, there.vocabulary()::isFluent);
+    Set<String> variables = FreeVariables.of(formula);
+    Facts now = facts.get();
+    Evaluation evaluation = new Evaluation(now);
+    return variables.size() == 1
+        && now.individuals("").stream()
+            .map(one -> Map.<String, Term>of(variables.iterator().next(), one))
+            .noneMatch(binding -> evaluation.truth(formula, binding) == Truth.UNKNOWN);
+  }
+
+  private AnswerWords answers() {
+    Home there = home.get();
+    return new AnswerWords(there, language(there).grammar());
+  }
+
+  private static List<AnswerWords.Found> found(JsonNode document) {
+    List<AnswerWords.Found> found = new ArrayList<>();
+    for (JsonNode answer : document.path("answers")) {
+      Map<String, String> binding = new LinkedHashMap<>();
+      answer
+          .path("binding")
+          .properties()
+          .forEach(one -> binding.put(one.getKey(), one.getValue().asText()));
+      boolean isOld = answer.path("age_s").isNumber() && !AnswersDocument.standsInHome(answer);
+      found.add(
+          new AnswerWords.Found(
+              Truth.valueOf(answer.path("truth").asText("unknown").toUpperCase(Locale.ROOT)),
+              binding,
+              isOld ? OptionalDouble.of(answer.path("age_s").asDouble()) : OptionalDouble.empty()));
+    }
+    return found;
   }
 
   /** A home that changes is another one: what is in it need not be compared. */

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
@@ -74,7 +75,14 @@ public final class WrittenInterlocutor implements Interlocutor {
     } else if (reading instanceof Reading.Back back) {
       listener.accept(new ChatEvent.Asked(back.text(), back.choices()));
     } else if (reading instanceof Reading.Counted counted) {
-      count(counted.formula(), utterance.asker(), listener, words);
+      answer(
+          counted.formula(),
+          answers -> spoken.counted(answers, counted.formula()),
+          utterance.asker(),
+          listener,
+          words);
+    } else if (reading instanceof Reading.Asked asked) {
+      answer(asked.formula(), spoken::answer, utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Goal goal) {
       state(goal.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Question question) {
@@ -159,15 +167,19 @@ public final class WrittenInterlocutor implements Interlocutor {
         });
   }
 
-  private void count(
-      String formula, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
+  /** All who look read what is answered here: of what is private only what the desk itself may. */
+  private void answer(
+      String question,
+      Function<JsonNode, String> sentence,
+      Optional<String> asker,
+      Consumer<ChatEvent> listener,
+      WrittenWords words) {
     questions
-        .know(formula, asker.map(person -> AgentNames.DESK))
-        .thenAccept(
-            answers -> listener.accept(new ChatEvent.Told("", AnswerSentences.counted(answers))))
+        .know(question, asker.map(person -> AgentNames.DESK))
+        .thenAccept(answers -> listener.accept(new ChatEvent.Told("", sentence.apply(answers))))
         .exceptionally(
             refusal -> {
-              listener.accept(misunderstood(formula, refusal, words));
+              listener.accept(misunderstood(question, refusal, words));
               return null;
             });
   }

@@ -1,0 +1,64 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.maestro.language.Language;
+import org.maestro.language.wording.AnswerWords;
+import org.maestro.ontology.home.Home;
+import org.maestro.sl.Truth;
+
+/** Answers name things as people do, and tell when they are old; what is not known is not no. */
+class AnswerWordsTest {
+  private final Home home = Shipped.home("evening");
+  private final AnswerWords words = new AnswerWords(home, Language.of(home, "en").grammar());
+
+  private static AnswerWords.Found found(Truth truth, Map<String, String> binding, double age) {
+    return new AnswerWords.Found(truth, binding, OptionalDouble.of(age));
+  }
+
+  @Test
+  void whatWasAskedForIsNamed() {
+    assertThat(words.of(List.of(found(Truth.TRUE, Map.of("where", "kidsroom"), 1))))
+        .isEqualTo("The kids' room.");
+    Map<String, String> tom = new LinkedHashMap<>(Map.of("x", "Tom"));
+    tom.put("where", "kidsroom");
+    Map<String, String> mia = new LinkedHashMap<>(Map.of("x", "Mia"));
+    mia.put("where", "bathroom");
+    assertThat(words.of(List.of(found(Truth.TRUE, tom, 10), found(Truth.TRUE, mia, 10))))
+        .isEqualTo("Tom: the kids' room and Mia: the bathroom.");
+    assertThat(words.of(List.of(found(Truth.TRUE, Map.of("value", "20.456"), 1))))
+        .isEqualTo("20.46.");
+  }
+
+  @Test
+  void unknownIsNotNo() {
+    assertThat(words.of(List.of(found(Truth.TRUE, Map.of(), 1)))).isEqualTo("Yes.");
+    assertThat(words.of(List.of(found(Truth.FALSE, Map.of(), 1)))).isEqualTo("No.");
+    assertThat(words.of(List.of(found(Truth.UNKNOWN, Map.of(), 1)))).isEqualTo("I do not know.");
+    assertThat(words.of(List.of())).isEqualTo("I do not know.");
+  }
+
+  @Test
+  void whatIsOldIsSaidToBe() {
+    assertThat(words.of(List.of(found(Truth.TRUE, Map.of(), 600))))
+        .isEqualTo("Yes. That was ten minutes ago.");
+    assertThat(words.of(List.of(found(Truth.FALSE, Map.of(), 3700))))
+        .isEqualTo("No. That was an hour ago.");
+  }
+
+  @Test
+  void howManyThereAreIsSaidInWords() {
+    List<AnswerWords.Found> apples =
+        List.of(
+            found(Truth.TRUE, Map.of("x", "apple-1"), 1),
+            found(Truth.TRUE, Map.of("x", "apple-2"), 1));
+    assertThat(words.counted(apples, true)).isEqualTo("Two.");
+    assertThat(words.counted(apples, false)).isEqualTo("Two that I know of.");
+    assertThat(words.counted(List.of(found(Truth.FALSE, Map.of(), 1)), true)).isEqualTo("Zero.");
+  }
+}
