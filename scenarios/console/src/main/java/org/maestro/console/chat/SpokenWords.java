@@ -14,7 +14,6 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Supplier;
-import org.maestro.console.documents.AnswersDocument;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
 import org.maestro.language.reference.Discourse;
@@ -117,7 +116,10 @@ final class SpokenWords {
           .path("binding")
           .properties()
           .forEach(one -> binding.put(one.getKey(), one.getValue().asText()));
-      boolean isOld = answer.path("age_s").isNumber() && !AnswersDocument.standsInHome(answer);
+      // What a device tells of itself is so until it tells otherwise.
+      boolean isOld =
+          answer.path("age_s").isNumber()
+              && answer.path("because").path(0).path("kind").asText().equals("observed");
       found.add(
           new AnswerWords.Found(
               Truth.valueOf(answer.path("truth").asText("unknown").toUpperCase(Locale.ROOT)),
