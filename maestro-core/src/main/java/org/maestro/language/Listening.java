@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
@@ -69,7 +71,15 @@ public final class Listening {
 
   /** What was said so far may mean, if it ended here; the best first. */
   public List<Meaning> soFar() {
-    return preferred(new Interpreter(situation).of(words.readings()));
+    return preferred(interpreter().of(words.readings()));
+  }
+
+  private Interpreter interpreter() {
+    Set<String> idle =
+        grammar.list("idle").stream()
+            .map(words -> String.join(" ", words))
+            .collect(Collectors.toSet());
+    return new Interpreter(situation, idle);
   }
 
   /** The readings that are under way, with what may still be meant. */
@@ -124,10 +134,9 @@ public final class Listening {
         words.chart().begun("frame").stream()
             .filter(reading -> !isLackingMore(reading.form()))
             .toList();
-    return new Interpreter(situation)
-        .of(lacking).stream()
-            .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
-            .toList();
+    return interpreter().of(lacking).stream()
+        .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
+        .toList();
   }
 
   /** Whether more is open than what is to fill a role. */

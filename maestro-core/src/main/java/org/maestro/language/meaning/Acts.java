@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Situation;
@@ -16,22 +17,24 @@ import org.maestro.sl.Term;
 final class Acts {
   private final Situation situation;
   private final References references;
+  private final Set<String> idle;
   private final Measures measures;
   private final States states;
   private final Frames frames;
   private final Questions questions;
 
-  Acts(Situation situation, References references) {
+  Acts(Situation situation, References references, Set<String> idle) {
     this.situation = situation;
     this.references = references;
-    this.measures = new Measures(situation, references);
+    this.idle = idle;
+    this.measures = new Measures(situation, references, idle);
     this.states = new States(situation, references);
     this.frames = new Frames(situation, references, states);
     this.questions = new Questions(situation, references, states, measures, this);
   }
 
-  static Acts in(Situation situation) {
-    return new Acts(situation, new References(new NounPhrases(situation)));
+  static Acts in(Situation situation, Set<String> idle) {
+    return new Acts(situation, new References(new NounPhrases(situation)), idle);
   }
 
   References references() {
@@ -80,7 +83,7 @@ final class Acts {
       references.die();
       return Optional.empty();
     }
-    return new Acts(situation.spokenBy(name.text()), references).command(act.part(1));
+    return new Acts(situation.spokenBy(name.text()), references, idle).command(act.part(1));
   }
 
   /** The message of a command. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.Situation;
@@ -15,9 +16,16 @@ public final class Interpreter {
   private static final int READINGS = 48;
 
   private final Situation situation;
+  private final Set<String> idle;
 
-  public Interpreter(Situation situation) {
+  /**
+   * In a situation.
+   *
+   * @param idle words for states of what is not in use, such as off: it is not meant unless named
+   */
+  public Interpreter(Situation situation, Set<String> idle) {
     this.situation = situation;
+    this.idle = Set.copyOf(idle);
   }
 
   /**
@@ -47,7 +55,7 @@ public final class Interpreter {
    * @param confirmed whether what is always asked back was asked already
    */
   private Optional<Meaning> meaning(Reading reading, boolean confirmed) {
-    Acts acts = Acts.in(situation);
+    Acts acts = Acts.in(situation, idle);
     Form form = reading.form();
     Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
     References references = acts.references();

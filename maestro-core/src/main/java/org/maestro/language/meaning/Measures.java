@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.NounPhrases;
@@ -24,13 +25,15 @@ final class Measures {
   private static final double ROUNDED = 1e9;
 
   private final Situation situation;
+  private final Set<String> idle;
   private final Vocabulary vocabulary;
   private final NounPhrases phrases;
   private final References references;
   private final Settables settables;
 
-  Measures(Situation situation, References references) {
+  Measures(Situation situation, References references, Set<String> idle) {
     this.situation = situation;
+    this.idle = idle;
     this.vocabulary = situation.home().vocabulary();
     this.references = references;
     this.settables = new Settables(situation.home());
@@ -347,6 +350,19 @@ final class Measures {
         : new Reference.Several(List.copyOf(around));
   }
 
+  /** Of things that are not named those are meant that are in use; all when none is. */
+  private List<Term> inUse(List<Term> things) {
+    List<Term> used = things.stream().filter(thing -> !isIdle(thing)).toList();
+    return used.isEmpty() ? things : used;
+  }
+
+  private boolean isIdle(Term thing) {
+    return situation.home().wording().states().stream()
+        .filter(state -> state.says().stream().anyMatch(said -> idle.contains(said.text())))
+        .filter(state -> phrases.relations().isA(thing, state.of()))
+        .anyMatch(state -> phrases.relations().holds(state.holdsWhen(), Map.of("it", thing)));
+  }
+
   /** What was spoken of last, or the place itself, or all that are here. */
   private Reference unsaid(PredicateDeclaration fluent, String type, boolean around) {
     Form it = Form.leaf("it");
@@ -366,10 +382,12 @@ final class Measures {
         phrases.resolve(Form.of("np", Form.leaf("all"), Form.of("noun", Form.leaf(type))), type);
     if (all instanceof Reference.Several several) {
       List<Term> known =
-          several.terms().stream()
+          inUse(several.terms()).stream()
               .filter(term -> situation.facts().number(fluent(fluent, term)).isPresent())
               .toList();
-      return known.size() == 1 ? phrases.spokenOf(known.get(0)) : all;
+      return known.isEmpty()
+          ? all
+          : known.size() == 1 ? phrases.spokenOf(known.get(0)) : new Reference.Several(known);
     }
     return all;
   }

@@ -21,6 +21,9 @@ sealed interface Reading {
   /** For how many things this is so. */
   record Counted(String formula) implements Reading {}
 
+  /** Something to say, and nothing to do. */
+  record Said(String text) implements Reading {}
+
   /** A question back. */
   record Back(String text, List<String> choices) implements Reading {}
 

@@ -60,8 +60,16 @@ final class SpokenWords {
     this.now = now;
   }
 
-  /** What is meant, or what is to be asked back; empty when it is not understood. */
-  synchronized Optional<Reading> read(Utterance utterance) {
+  /**
+   * What words were heard to be.
+   *
+   * @param reading what is meant, or what is to be asked back; empty when it is not understood
+   * @param reply what is to be said when nobody else understands it
+   */
+  record Hearing(Optional<Reading> reading, Optional<String> reply) {}
+
+  /** What is meant. */
+  synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
     Understanding understood =
         language(there).understand(utterance.text(), situation(there, utterance));
@@ -69,11 +77,21 @@ final class SpokenWords {
         understood
             .message()
             .flatMap(message -> MessageReading.of(message, there))
-            .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())));
+            .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
+            .or(() -> social(understood));
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
-    return reading;
+    return new Hearing(reading, understood.reply());
+  }
+
+  /** A greeting is answered, and nothing else comes of it. */
+  private static Optional<Reading> social(Understanding understood) {
+    return understood.meanings().stream()
+        .findFirst()
+        .filter(best -> best.kind().equals("social"))
+        .flatMap(best -> understood.reply())
+        .map(Reading.Said::new);
   }
 
   /** What is known of a question that was understood, as people say it. */

@@ -69,9 +69,13 @@ public final class WrittenInterlocutor implements Interlocutor {
   @Override
   public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
     WrittenWords words = new WrittenWords(home.get());
-    Reading reading = inWords(utterance).orElseGet(() -> read(words, utterance));
+    SpokenWords.Hearing heard = inWords(utterance);
+    Reading reading =
+        heard.reading().orElseGet(() -> withReply(read(words, utterance), heard.reply()));
     if (reading instanceof Reading.Goals goals) {
       goals.formulas().forEach(goal -> state(goal, utterance.asker(), listener, words));
+    } else if (reading instanceof Reading.Said said) {
+      listener.accept(new ChatEvent.Told("", said.text()));
     } else if (reading instanceof Reading.Back back) {
       listener.accept(new ChatEvent.Asked(back.text(), back.choices()));
     } else if (reading instanceof Reading.Counted counted) {
@@ -95,9 +99,18 @@ public final class WrittenInterlocutor implements Interlocutor {
   }
 
   /** What is not written in MAESTRO-SL may be said as people speak. */
-  private Optional<Reading> inWords(Utterance utterance) {
+  private SpokenWords.Hearing inWords(Utterance utterance) {
     String text = utterance.text().strip();
-    return text.startsWith("(") || text.startsWith("?") ? Optional.empty() : spoken.read(utterance);
+    return text.startsWith("(") || text.startsWith("?")
+        ? new SpokenWords.Hearing(Optional.empty(), Optional.empty())
+        : spoken.read(utterance);
+  }
+
+  /** What nobody understands is told as those tell it who know more words. */
+  private static Reading withReply(Reading reading, Optional<String> reply) {
+    return reading instanceof Reading.Unclear unclear && reply.isPresent()
+        ? new Reading.Unclear(reply.get(), unclear.near())
+        : reading;
   }
 
   /** What answers the question that was asked last is read with what that was about. */
