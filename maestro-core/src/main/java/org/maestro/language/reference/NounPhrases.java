@@ -373,25 +373,17 @@ public final class NounPhrases {
     }
     List<Term.Name> around =
         situation.facts().individuals("Device").stream().filter(this::isHere).toList();
-    List<Term.Name> near =
-        candidates.stream()
-            .filter(
-                candidate ->
-                    around.stream().anyMatch(device -> relations.concerns(device, candidate)))
-            .toList();
-    return near.isEmpty() ? behind(around, candidates) : near;
+    Set<Term.Name> concerned = new LinkedHashSet<>();
+    around.forEach(device -> concerned.addAll(relations.concernedBy(device)));
+    List<Term.Name> near = candidates.stream().filter(concerned::contains).toList();
+    return near.isEmpty() ? behind(concerned, candidates) : near;
   }
 
   /** What that has to do with it with which something here has to do: the band of the track. */
-  private List<Term.Name> behind(List<Term.Name> around, List<Term.Name> candidates) {
-    Set<Term.Name> between = new LinkedHashSet<>();
-    around.forEach(device -> between.addAll(relations.concernedBy(device)));
-    List<Term.Name> near =
-        candidates.stream()
-            .filter(
-                candidate ->
-                    between.stream().anyMatch(thing -> relations.concerns(thing, candidate)))
-            .toList();
+  private List<Term.Name> behind(Set<Term.Name> between, List<Term.Name> candidates) {
+    Set<Term.Name> concerned = new LinkedHashSet<>();
+    between.forEach(thing -> concerned.addAll(relations.concernedBy(thing)));
+    List<Term.Name> near = candidates.stream().filter(concerned::contains).toList();
     return near.isEmpty() ? candidates : near;
   }
 

@@ -133,18 +133,6 @@ public final class Relations {
                             && holds(predicate.name(), owner, thing));
   }
 
-  /** Whether a device's own state names the other: what it plays, shows or holds. */
-  boolean concerns(Term device, Term other) {
-    return vocabulary.predicates().values().stream()
-        .filter(predicate -> !predicate.fluent() && predicate.parameters().size() == 2)
-        .filter(predicate -> predicate.computedBy().isEmpty())
-        .anyMatch(
-            predicate ->
-                fits(predicate, 0, device)
-                    && fits(predicate, 1, other)
-                    && holds(predicate.name(), device, other));
-  }
-
   /** Things that a device's own state names. */
   List<Term.Name> concernedBy(Term device) {
     return vocabulary.predicates().values().stream()
