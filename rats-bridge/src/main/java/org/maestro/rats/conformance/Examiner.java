@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.transport.Message;
@@ -118,10 +119,21 @@ final class Examiner implements AutoCloseable {
 
   /** The first such message since then; waits for it so long. */
   Optional<Heard> await(int since, Predicate<Heard> wanted, Duration atMost) {
+    return awaitIn(() -> since(since).stream(), wanted, atMost);
+  }
+
+  /** The first such message that comes after one of the others; waits for it so long. */
+  Optional<Heard> awaitAfter(
+      int since, Predicate<Heard> others, Predicate<Heard> wanted, Duration atMost) {
+    return awaitIn(() -> since(since).stream().dropWhile(others.negate()).skip(1), wanted, atMost);
+  }
+
+  private Optional<Heard> awaitIn(
+      Supplier<Stream<Heard>> messages, Predicate<Heard> wanted, Duration atMost) {
     long end = System.nanoTime() + atMost.toNanos();
     synchronized (heard) {
       while (true) {
-        Optional<Heard> found = since(since).stream().filter(wanted).findFirst();
+        Optional<Heard> found = messages.get().filter(wanted).findFirst();
         long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
         if (found.isPresent() || left <= 0) {
           return found;

@@ -17,6 +17,8 @@ final class ForgedWords {
   private static final String SECURED = "the site is secured: nobody else can say so";
 
   private final Bench bench;
+  private static final String FORGED = "{\"label\":\"not what it is\"}";
+
   private final Appearance appearance;
   private final WireFormat wire = new WireFormat();
 
@@ -109,13 +111,16 @@ final class ForgedWords {
           DeviceRule.FORGED_DESCRIPTION, bench.isOpen() ? "it describes nothing" : SECURED);
     }
     String topic = bench.topics().description(bench.member());
+    // What it tells anew because of what came before is said by then.
+    bench.dialogue().result(bench.dialogue().ping());
     int since = bench.examiner().now();
-    bench.examiner().sendRetained(topic, "{\"label\":\"not what it is\"}".getBytes(UTF_8));
+    bench.examiner().sendRetained(topic, FORGED.getBytes(UTF_8));
     boolean isToldAgain =
         bench
             .examiner()
-            .await(
+            .awaitAfter(
                 since,
+                heard -> heard.topic().equals(topic) && heard.content().toString().equals(FORGED),
                 heard -> heard.topic().equals(topic) && heard.content().equals(own.get()),
                 bench.patience().answersWithin())
             .isPresent();
