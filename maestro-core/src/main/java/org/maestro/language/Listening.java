@@ -26,10 +26,13 @@ public final class Listening {
    */
   private static final int FEW_WORDS = 5;
 
+  /** Of so many words it may be that they do not matter. */
+  private static final int FEW_UNKNOWN = 2;
+
   private final Grammar grammar;
   private final HeardWords words;
   private Situation situation;
-  private final List<Understanding.Begun> began = new ArrayList<>();
+  private final Beginning beginning = new Beginning();
   private int repairs;
   private Optional<Meaning> lastSaid = Optional.empty();
 
@@ -47,19 +50,11 @@ public final class Listening {
       // What is taken back was spoken of all the same.
       lastSaid.ifPresent(
           said -> situation = situation.after(Understanding.spokenOf(said, situation.discourse())));
-      began.clear();
+      beginning.callOff(word);
     }
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
-    best(now)
-        .filter(meaning -> meaning.early() && meaning.kind().equals("command"))
-        .flatMap(Meaning::message)
-        .filter(message -> began.isEmpty() || !last().message().equals(message))
-        .ifPresent(message -> began.add(new Understanding.Begun(word, message)));
-  }
-
-  private Understanding.Begun last() {
-    return began.get(began.size() - 1);
+    best(now).ifPresent(meaning -> beginning.understood(word, meaning));
   }
 
   /** The best meaning of what was said so far, if it is certain. */
@@ -101,12 +96,17 @@ public final class Listening {
     if (meanings.isEmpty()) {
       meanings = lackingARole();
     }
+    if (meanings.isEmpty()) {
+      meanings = withoutWhatIsUnknown();
+    }
     meanings = preferred(meanings);
     Optional<Meaning> best = meanings.stream().findFirst();
     Optional<Doubt> doubt = best.flatMap(Meaning::doubt);
     boolean isAmbiguous = best.isPresent() && isAmbiguous(meanings);
     Optional<Content> message =
         doubt.isPresent() || isAmbiguous ? Optional.empty() : best.flatMap(Meaning::message);
+    List<Heard> all = words.heard();
+    beginning.end(message, all.isEmpty() ? "" : all.get(all.size() - 1).word());
     QuestionsBack questions = new QuestionsBack(situation, grammar);
     Optional<String> question =
         isAmbiguous ? Optional.of(questions.between(tied(meanings))) : doubt.map(questions::of);
@@ -117,7 +117,7 @@ public final class Listening {
         reply(best, message, question),
         words.heard(),
         meanings,
-        began,
+        beginning.began(),
         coverage());
   }
 
@@ -136,6 +136,31 @@ public final class Listening {
             .toList();
     return interpreter().of(lacking).stream()
         .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
+        .toList();
+  }
+
+  /** What is meant if a word or two that nobody knows are left out: it is asked whether it is. */
+  private List<Meaning> withoutWhatIsUnknown() {
+    List<String> unknown = unknown();
+    List<String> known =
+        words.heard().stream()
+            .filter(word -> word.fate() != Heard.Fate.UNKNOWN)
+            .map(Heard::word)
+            .toList();
+    if (unknown.isEmpty() || unknown.size() > FEW_UNKNOWN || known.size() < 2 * unknown.size()) {
+      return List.of();
+    }
+    HeardWords without = words.afresh();
+    known.forEach(without::take);
+    without.end();
+    String said = String.join(" ", known);
+    return interpreter().of(without.readings()).stream()
+        .limit(1)
+        .filter(
+            meaning ->
+                meaning.message().isPresent()
+                    || meaning.doubt().filter(Doubt.Which.class::isInstance).isPresent())
+        .map(meaning -> meaning.doubted(new Doubt.LeftOut(unknown, said)))
         .toList();
   }
 
@@ -206,14 +231,29 @@ public final class Listening {
   }
 
   private String notUnderstood() {
-    List<String> unknown =
-        words.heard().stream()
-            .filter(word -> word.fate() == Heard.Fate.UNKNOWN)
-            .map(Heard::word)
-            .toList();
-    return unknown.isEmpty()
-        ? grammar.phrase("not-understood")
-        : grammar.phrase("unknown-word").replace("{word}", String.join(" ", unknown));
+    return words.isTooLong()
+        ? grammar.phrase("too-long")
+        : unknown().isEmpty() ? notPlaced() : unknownWords();
+  }
+
+  private String notPlaced() {
+    return words.heard().stream()
+        .filter(word -> word.fate() == Heard.Fate.UNPLACED)
+        .findFirst()
+        .filter(word -> words.isOfTheHome(word.word()))
+        .map(word -> grammar.phrase("not-placed").replace("{word}", word.word()))
+        .orElseGet(() -> grammar.phrase("not-understood"));
+  }
+
+  private List<String> unknown() {
+    return words.heard().stream()
+        .filter(word -> word.fate() == Heard.Fate.UNKNOWN)
+        .map(Heard::word)
+        .toList();
+  }
+
+  private String unknownWords() {
+    return grammar.phrase("unknown-word").replace("{word}", String.join(" ", unknown()));
   }
 
   private double coverage() {

@@ -49,8 +49,13 @@ public record Understanding(
    * What may be begun while words are still to come.
    *
    * @param after the word after which it was understood
+   * @param calledOff the word after which it turned out that something else was meant
    */
-  public record Begun(String after, Content message) {}
+  public record Begun(String after, Content message, Optional<String> calledOff) {
+    Begun calledOffAfter(String word) {
+      return new Begun(after, message, Optional.of(word));
+    }
+  }
 
   public Understanding {
     heard = List.copyOf(heard);

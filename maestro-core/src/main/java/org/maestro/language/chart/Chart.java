@@ -81,7 +81,7 @@ public final class Chart {
     begin(literal, columns.size() - 2, Form.leaf(word), 0);
     for (WordEntries.Entry entry : lexicon.endingWith(words)) {
       int origin = words.size() - entry.words();
-      if ((freely || !entry.category().equals(WordEntries.ANY))
+      if ((freely || !WordEntries.FREE.contains(entry.category()))
           && columns.get(origin).predicts(entry.category())) {
         complete(entry.category(), origin, entry.meaning(), 0);
       }

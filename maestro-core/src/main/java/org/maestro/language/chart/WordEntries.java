@@ -10,6 +10,12 @@ public interface WordEntries {
   /** The category of whichever word. */
   String ANY = "Any";
 
+  /** The category of whichever word with which it may begin what somebody is told. */
+  String OPENING = "Opening";
+
+  /** The categories of which words are that nobody has to know. */
+  Set<String> FREE = Set.of(ANY, OPENING);
+
   /**
    * One or several words that are one symbol of the grammar.
    *

@@ -118,6 +118,13 @@ public final class HeardWords {
     if (!blocked && chart.complete().isEmpty()) {
       resumption.ifPresent(this::goOnEarlier);
     }
+    if (chart.complete().isEmpty()) {
+      heard.replaceAll(
+          word ->
+              word.fate() == Heard.Fate.TAKEN && !isKnown(word.word())
+                  ? new Heard(word.word(), Heard.Fate.UNKNOWN)
+                  : word);
+    }
   }
 
   private void repair() {
@@ -281,6 +288,11 @@ public final class HeardWords {
     words.forEach(chart::extend);
   }
 
+  /** Whether it is a word for something in the home, rather than of the language alone. */
+  public boolean isOfTheHome(String word) {
+    return lexicon.knows(word) && !grammarWords.contains(word);
+  }
+
   private boolean isKnown(String word) {
     return lexicon.knows(word) || grammarWords.contains(word);
   }
@@ -326,6 +338,16 @@ public final class HeardWords {
   /** Whether a word was heard that fits nothing, or too many were. */
   public boolean isBlocked() {
     return blocked || tooLong;
+  }
+
+  /** None of the words, to hear others. */
+  public HeardWords afresh() {
+    return new HeardWords(grammar, grammarWords, lexicon, fresh);
+  }
+
+  /** Whether more words were heard than anybody says in one breath. */
+  public boolean isTooLong() {
+    return tooLong;
   }
 
   /** What became of each word. */

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -29,6 +30,7 @@ public final class ConstructionRules {
           "double", "Amount",
           "integer", "Amount",
           "duration", "Span",
+          "time", "Clock",
           "string", "Text");
 
   private final Grammar grammar;
@@ -99,9 +101,37 @@ public final class ConstructionRules {
       made.accept(rule("WantTail", construction, parts.subList(1, parts.size())));
     }
     made.accept(rule("Vp", construction, parts));
+    timed(construction, parts).ifPresent(made);
     for (String form : grammar.list("verb-forms").stream().map(words -> words.get(0)).toList()) {
       made.accept(rule("Vp" + category(form), construction, inflected(parts, 0, form)));
     }
+  }
+
+  /** Before what is said in any words it may be said when: remind me at six to feed the cat. */
+  private static Optional<Rule> timed(Construction construction, List<Part> parts) {
+    int text = parts.size() - 1;
+    boolean isText =
+        text > 1 && parts.get(text).role() && isOfText(construction, parts.get(text).text());
+    if (!isText || parts.get(text - 1).role()) {
+      return Optional.empty();
+    }
+    Rule whole = rule("Vp", construction, parts);
+    List<Symbol> symbols = new ArrayList<>(whole.symbols());
+    List<String> labels = new ArrayList<>(whole.labels());
+    symbols.add(text - 1, new Symbol.Category("When"));
+    labels.add(text - 1, "when");
+    return Optional.of(
+        new Rule(
+            "Vp",
+            symbols,
+            labels,
+            new Template.Node("later", List.of(new Template.Label("when"), whole.template())),
+            0));
+  }
+
+  private static boolean isOfText(Construction construction, String role) {
+    return construction.roles().stream()
+        .anyMatch(one -> one.name().equals(role) && one.type().equals("string"));
   }
 
   private void clause(Construction construction, List<Part> parts, Consumer<Rule> made) {

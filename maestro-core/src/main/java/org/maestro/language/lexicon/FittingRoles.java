@@ -46,7 +46,8 @@ public final class FittingRoles implements Predicate<Form> {
       case "np" -> mayBe(phrase.part(phrase.parts().size() - 1), type);
       case "mod", "instate", "beside", "of", "nth" -> mayBe(phrase.part(1), type);
       case "at", "placed", "except", "other" -> mayBe(phrase.part(0), type);
-      case "and" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
+      case "called" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
+      case "and", "or" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
       case "noun" -> home.vocabulary().mayBeBoth(phrase.text(0), type);
       case "name" -> phrase.parts().stream().anyMatch(name -> isA(name.head(), type));
       case "speaker" ->

@@ -49,6 +49,11 @@ public final class Lexicon implements WordEntries {
   /** What is asked for with how. */
   public static final String HOW_MUCH = "HowMuch";
 
+  /** What is said of that of which there is much, such as bright; and little, such as dark. */
+  public static final String HIGH = "High";
+
+  public static final String LOW = "Low";
+
   /** A state: {@code (state lampOn applianceOn)}. */
   public static final String STATE = "State";
 
@@ -74,6 +79,9 @@ public final class Lexicon implements WordEntries {
           MORE,
           LESS,
           HOW_MUCH,
+          HIGH,
+          LOW,
+          OPENING,
           STATE,
           SCRIPT,
           NUMBER,
@@ -84,11 +92,13 @@ public final class Lexicon implements WordEntries {
   private final Map<List<String>, Set<String>> beginnings = new HashMap<>();
   private final NumberWords numbers;
   private final Set<String> words = new HashSet<>();
+  private final Set<List<String>> subordinating;
   private final int longest;
 
   Lexicon(Map<List<String>, Map<String, List<Form>>> entries, Grammar grammar) {
     this.entries = entries;
     this.numbers = new NumberWords(grammar.numbers(), grammar.times(), grammar.list("joining"));
+    this.subordinating = grammar.list("subordinating");
     int most = LONGEST_NUMBER;
     for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {
       List<String> written = entry.getKey();
@@ -107,9 +117,13 @@ public final class Lexicon implements WordEntries {
   public List<Entry> endingWith(List<String> words) {
     List<Entry> found = new ArrayList<>();
     int most = Math.min(longest, words.size());
-    found.add(new Entry(ANY, 1, Form.leaf(words.get(words.size() - 1))));
-    if (FIGURES_OF_TIME.matcher(words.get(words.size() - 1)).matches()) {
-      found.add(new Entry(TIME, 1, Form.leaf(words.get(words.size() - 1))));
+    String latest = words.get(words.size() - 1);
+    found.add(new Entry(ANY, 1, Form.leaf(latest)));
+    if (!subordinating.contains(List.of(latest))) {
+      found.add(new Entry(OPENING, 1, Form.leaf(latest)));
+    }
+    if (FIGURES_OF_TIME.matcher(latest).matches()) {
+      found.add(new Entry(TIME, 1, Form.leaf(latest)));
     }
     for (int size = 1; size <= most; size++) {
       List<String> last = words.subList(words.size() - size, words.size());
@@ -144,7 +158,9 @@ public final class Lexicon implements WordEntries {
 
   /** Whether the word is one of an entry. */
   public boolean knows(String word) {
-    return words.contains(word) || numbers.value(List.of(word)).isPresent();
+    return words.contains(word)
+        || numbers.value(List.of(word)).isPresent()
+        || FIGURES_OF_TIME.matcher(word).matches();
   }
 
   /** Each word that stands in an entry. */

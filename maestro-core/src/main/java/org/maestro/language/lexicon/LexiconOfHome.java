@@ -12,6 +12,7 @@ import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.wording.Measure;
 import org.maestro.ontology.wording.Said;
 import org.maestro.ontology.wording.StateWord;
@@ -21,6 +22,7 @@ import org.maestro.sl.Term;
 /** Gathers the lexicon of a home: its labels and other names are its vocabulary. */
 public final class LexiconOfHome {
   private static final String PLURAL = "plural";
+  private static final String POSITIVE = "positive";
 
   private final Home home;
   private final Wording wording;
@@ -38,17 +40,7 @@ public final class LexiconOfHome {
   /** The lexicon. */
   public Lexicon read() {
     names();
-    home.vocabulary()
-        .classes()
-        .keySet()
-        .forEach(
-            name -> {
-              Form noun = Form.of("noun", leaf(name));
-              enter(Lexicon.NOUN, name, noun);
-              for (List<String> words : named(name)) {
-                enter(Lexicon.NOUNS, plural(words), noun);
-              }
-            });
+    nouns();
     home.scripts()
         .keySet()
         .forEach(name -> enter(Lexicon.SCRIPT, name, Form.of("script", leaf(name))));
@@ -59,6 +51,8 @@ public final class LexiconOfHome {
     grouped(Lexicon.FLUENT, "fluent", fluents);
     grouped(Lexicon.MORE, "more", measures(Measure::more));
     grouped(Lexicon.LESS, "less", measures(Measure::less));
+    grouped(Lexicon.HIGH, "more", measures(measure -> positive(measure.more())));
+    grouped(Lexicon.LOW, "less", measures(measure -> positive(measure.less())));
     grouped(Lexicon.HOW_MUCH, "howMuch", measures(Measure::asked));
     Map<String, List<Said>> states = new LinkedHashMap<>();
     for (StateWord state : wording.states()) {
@@ -79,10 +73,47 @@ public final class LexiconOfHome {
     byWords.forEach((words, same) -> enter(Lexicon.NAME, words, new Form("name", same)));
   }
 
+  /** Of classes that are called the same the wider one is meant: what else is said narrows it. */
+  private void nouns() {
+    Map<List<String>, Set<String>> classes = new LinkedHashMap<>();
+    for (String name : home.vocabulary().classes().keySet()) {
+      for (List<String> words : named(name)) {
+        classes.computeIfAbsent(words, w -> new LinkedHashSet<>()).add(name);
+      }
+    }
+    classes.forEach(
+        (words, same) ->
+            same.stream()
+                .filter(name -> same.stream().noneMatch(wider -> isNarrower(name, wider)))
+                .forEach(
+                    name -> {
+                      Form noun = Form.of("noun", leaf(name));
+                      enter(Lexicon.NOUN, words, noun);
+                      enter(Lexicon.NOUNS, plural(words), noun);
+                    }));
+  }
+
+  private boolean isNarrower(String name, String other) {
+    ClassDeclaration declared = home.vocabulary().classes().get(name);
+    return !name.equals(other) && declared != null && declared.ancestors().contains(other);
+  }
+
   private Map<String, List<Said>> measures(Function<Measure, List<Said>> words) {
     Map<String, List<Said>> found = new LinkedHashMap<>();
     wording.measures().forEach((name, measure) -> found.put(name, words.apply(measure)));
     return found;
+  }
+
+  /** What is brighter is bright. */
+  private List<Said> positive(List<Said> comparatives) {
+    List<Said> positives = new ArrayList<>();
+    for (Said comparative : comparatives) {
+      String positive = grammar.inflection().of(comparative.text(), POSITIVE);
+      if (comparative.isIn(grammar.language()) && !positive.equals(comparative.text())) {
+        positives.add(comparative.saying(positive));
+      }
+    }
+    return positives;
   }
 
   private static Form leaf(String text) {

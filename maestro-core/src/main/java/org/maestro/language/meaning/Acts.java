@@ -5,16 +5,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Situation;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /** What an utterance's reading means. Bound to one reading in one situation. */
 final class Acts {
+  private static final String SELF = "self";
+  private static final double SECONDS_IN_MINUTE = 60;
+  private static final int MINUTES_IN_DAY = 1440;
+
   private final Situation situation;
   private final References references;
   private final Set<String> idle;
@@ -34,7 +40,10 @@ final class Acts {
   }
 
   static Acts in(Situation situation, Set<String> idle) {
-    return new Acts(situation, new References(new NounPhrases(situation)), idle);
+    return new Acts(
+        situation,
+        new References(new NounPhrases(situation), new Settables(situation.home())),
+        idle);
   }
 
   References references() {
@@ -94,6 +103,7 @@ final class Acts {
       case "query" -> questions.message(verb.part(0));
       case "located" -> command(located(verb.part(0), verb.part(1)));
       case "run" -> Optional.of(run(verb.part(0)));
+      case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       case "hold" ->
@@ -150,30 +160,64 @@ final class Acts {
                 "script", List.of(new Content.Argument.OfTerm(new Term.Name(script.text(0)))))));
   }
 
+  /** What is done at the same time is one goal; what comes after the other is a sequence. */
   private Optional<Content> both(Form verb) {
-    Optional<Content> first = command(verb.part(0));
-    Optional<Content> second = command(verb.part(1));
-    if (first.isPresent() && isOpen(first.get())) {
-      // What the first leaves open the second may have named.
-      first = command(verb.part(0));
+    List<Form> verbs = new ArrayList<>();
+    flatten(verb, verbs);
+    List<Content> messages = new ArrayList<>();
+    for (Form one : verbs) {
+      Optional<Content> message = command(one);
+      if (message.isEmpty()) {
+        return message;
+      }
+      messages.add(message.get());
     }
-    if (first.isEmpty() || second.isEmpty()) {
-      return Optional.empty();
-    }
-    Optional<Formula> one = goalOf(first.get());
-    Optional<Formula> other = goalOf(second.get());
-    if (one.isPresent() && other.isPresent()) {
-      return Optional.of(goal(References.conjunction(List.of(one.get(), other.get()))));
-    }
-    List<Content.Argument> parts = new ArrayList<>();
-    for (Content part : List.of(first.get(), second.get())) {
-      if (part.operator().equals("seq")) {
-        parts.addAll(part.arguments());
-      } else {
-        parts.add(new Content.Argument.Nested(part));
+    for (int i = 0; i < verbs.size(); i++) {
+      if (isOpen(messages.get(i))) {
+        // What one leaves open another may have named.
+        messages.set(i, command(verbs.get(i)).orElse(messages.get(i)));
       }
     }
-    return Optional.of(new Content("seq", parts));
+    List<Content> parts = new ArrayList<>();
+    messages.forEach(message -> join(parts, message));
+    return Optional.of(
+        parts.size() == 1
+            ? parts.get(0)
+            : new Content(
+                "seq",
+                parts.stream().<Content.Argument>map(Content.Argument.Nested::new).toList()));
+  }
+
+  private static void flatten(Form verb, List<Form> verbs) {
+    if (verb.is("both")) {
+      verb.parts().forEach(part -> flatten(part, verbs));
+    } else {
+      verbs.add(verb);
+    }
+  }
+
+  private void join(List<Content> parts, Content next) {
+    int last = parts.size() - 1;
+    Optional<Formula> before =
+        parts.isEmpty() || isOnTheWay(parts.get(last)) ? Optional.empty() : goalOf(parts.get(last));
+    Optional<Formula> after = goalOf(next);
+    if (before.isPresent() && after.isPresent()) {
+      parts.set(last, goal(References.conjunction(List.of(before.get(), after.get()))));
+    } else {
+      parts.add(next);
+    }
+  }
+
+  /** Where the robot is, and what it holds, is only on the way to what it does next. */
+  private boolean isOnTheWay(Content content) {
+    String said = SlPrinter.print(content);
+    return goalOf(content).filter(goal -> FreeVariables.of(goal).contains(SELF)).isPresent()
+        || situation
+            .self()
+            .filter(
+                robot ->
+                    Pattern.compile("[ (]" + Pattern.quote(robot) + "[ )]").matcher(said).find())
+            .isPresent();
   }
 
   private static boolean isOpen(Content content) {
@@ -249,6 +293,8 @@ final class Acts {
         return at(when.part(1), Optional.of(when.text(0)), nested);
       case "after":
         return Optional.of(new Content("after", List.of(seconds(when.part(0)), nested)));
+      case "tomorrow":
+        return tomorrow(when.part(0), nested);
       case "until":
         return clock(when.part(0))
             .map(
@@ -286,6 +332,21 @@ final class Acts {
               arguments.add(nested);
               return new Content("at", arguments);
             });
+  }
+
+  /** A time of the next day is so long after now. */
+  private Optional<Content> tomorrow(Form clock, Content.Argument nested) {
+    OptionalInt minute = Values.minuteOfTomorrow(clock);
+    if (minute.isEmpty() || situation.minuteOfDay().isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    double seconds =
+        SECONDS_IN_MINUTE
+            * (MINUTES_IN_DAY - situation.minuteOfDay().getAsInt() + minute.getAsInt());
+    return Optional.of(
+        new Content(
+            "after", List.of(new Content.Argument.OfTerm(new Term.Number(seconds)), nested)));
   }
 
   private static Content.Argument seconds(Form span) {

@@ -24,6 +24,17 @@ public sealed interface Doubt {
   /** The number from which to reckon is not known. */
   record NotKnown(Expression.Fluent fluent) implements Doubt {}
 
+  /**
+   * Words are unknown, and without them it can be understood.
+   *
+   * @param rest what was said without them
+   */
+  record LeftOut(List<String> words, String rest) implements Doubt {
+    public LeftOut {
+      words = List.copyOf(words);
+    }
+  }
+
   /** It is understood, and asked back. */
   record Confirm(String construction) implements Doubt {}
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -28,6 +29,7 @@ import org.maestro.sl.Term;
 /** What constructions mean with what fills their roles. Bound to one reading. */
 final class Frames {
   private static final String GOAL = "goal";
+  private static final String TIME = "time";
 
   private final Situation situation;
   private final References references;
@@ -97,11 +99,27 @@ final class Frames {
     for (Construction.Role role : construction.roles()) {
       Form filler = fillers.getOrDefault(role.name(), Form.HOLE);
       if (filler.is("_") && !role.optional()) {
+        if (!isOfFittingKinds(construction, fillers)) {
+          references.die();
+        }
         references.doubt(new Doubt.Missing(construction, role));
         return false;
       }
     }
     return true;
+  }
+
+  /** Whether what was said may be of the kinds that are wanted. */
+  private boolean isOfFittingKinds(Construction construction, Map<String, Form> fillers) {
+    return construction.roles().stream()
+        .filter(this::isOfAClass)
+        .filter(role -> !fillers.getOrDefault(role.name(), Form.HOLE).is("_"))
+        .noneMatch(
+            role ->
+                references
+                        .phrases()
+                        .resolve(fillers.getOrDefault(role.name(), Form.HOLE), role.type())
+                    instanceof Reference.Mistyped);
   }
 
   private static Optional<Content.Argument> goal(Content means) {
@@ -173,14 +191,57 @@ final class Frames {
             return others.apply(more);
           });
     }
-    Optional<Term> value = Values.of(filler);
+    Optional<Term> value = value(role, filler);
     Function<Term, Optional<Formula>> next =
         term -> {
           Map<String, Term> more = new HashMap<>(terms);
           more.put(role.name(), term);
           return bound(construction, fillers, at + 1, more, said);
         };
-    return value.isPresent() ? next.apply(value.get()) : references.over(filler, role.type(), next);
+    return value.isPresent()
+        ? next.apply(value.get())
+        : references.over(oneOf(construction, role, filler), role.type(), next);
+  }
+
+  /** Where only one can be at a time, songs are any of them. */
+  private Form oneOf(Construction construction, Construction.Role role, Form filler) {
+    return filler.is("np") && filler.text(0).equals("all") && isOneAtATime(construction, role)
+        ? Form.of("np", Form.leaf("a"), filler.part(1))
+        : filler;
+  }
+
+  private boolean isOneAtATime(Construction construction, Construction.Role role) {
+    return construction
+        .means()
+        .flatMap(Frames::goal)
+        .filter(Content.Argument.OfFormula.class::isInstance)
+        .map(goal -> ((Content.Argument.OfFormula) goal).formula())
+        .filter(Formula.Atom.class::isInstance)
+        .map(Formula.Atom.class::cast)
+        .filter(atom -> atom.arguments().size() > 1)
+        .filter(
+            atom ->
+                atom.arguments()
+                    .get(atom.arguments().size() - 1)
+                    .equals(new Term.Variable(role.name())))
+        .flatMap(atom -> situation.home().vocabulary().predicate(atom.predicate()))
+        .filter(PredicateDeclaration::functional)
+        .isPresent();
+  }
+
+  private Optional<Term> value(Construction.Role role, Form filler) {
+    if (isOfAClass(role)) {
+      return Optional.empty();
+    }
+    if (!role.type().equals(TIME)) {
+      return Values.of(filler);
+    }
+    OptionalInt minute = Values.minuteOfDay(filler, situation.minuteOfDay());
+    if (minute.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return Optional.of(new Term.Number(minute.getAsInt()));
   }
 
   /**
@@ -330,7 +391,7 @@ final class Frames {
         continue;
       }
       Optional<List<Term>> value =
-          Values.of(filler).map(List::of).or(() -> references.terms(filler, role.type()));
+          value(role, filler).map(List::of).or(() -> references.terms(filler, role.type()));
       if (value.isEmpty()) {
         return Optional.empty();
       }

@@ -46,6 +46,13 @@ public final class Interpreter {
       }
     }
     meanings.sort(Comparator.comparingInt(Meaning::broken).thenComparingInt(Meaning::penalty));
+    Everything.together(meanings)
+        .flatMap(all -> meaning(new Reading(all, meanings.get(0).penalty()), false))
+        .ifPresent(
+            all -> {
+              meanings.removeIf(one -> Everything.isSaidIn(one.form()));
+              meanings.add(0, all);
+            });
     return meanings;
   }
 
@@ -70,7 +77,7 @@ public final class Interpreter {
             doubt.isPresent() ? Optional.empty() : message,
             doubt.or(() -> confirmed ? Optional.empty() : confirmation(form, acts)),
             kind(form),
-            references.broken(),
+            references.broken() + references.phrases().supposed(),
             reading.penalty(),
             isEarly(form, acts),
             references.phrases().mentioned(),
@@ -100,6 +107,9 @@ public final class Interpreter {
   }
 
   private static Optional<Doubt> confirmation(Form form, Acts acts) {
+    if (kind(form).equals("command") && Everything.isSaidIn(form)) {
+      return Optional.of(new Doubt.Confirm(""));
+    }
     return frame(form)
         .filter(frame -> acts.frames().construction(frame).confirm())
         .map(frame -> new Doubt.Confirm(frame.text(0)));

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.language.grammar.Form;
 import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /**
@@ -34,5 +35,25 @@ public record Meaning(
     mentioned = List.copyOf(mentioned);
     classes = List.copyOf(classes);
     group = List.copyOf(group);
+  }
+
+  /** The same, which it is not certain that it is meant. */
+  public Meaning doubted(Doubt why) {
+    return new Meaning(
+        form,
+        Optional.empty(),
+        Optional.of(why),
+        kind,
+        broken,
+        penalty,
+        false,
+        mentioned,
+        classes,
+        group);
+  }
+
+  /** The formula of a message that states a goal. */
+  public static Optional<Formula> goal(Content message) {
+    return Acts.goalOf(message);
   }
 }

@@ -108,6 +108,29 @@ final class Measures {
                                         relation, fluent(of.fluent(), term), number(value)))));
   }
 
+  /** A comparison of the same number of two things. */
+  Optional<Formula> comparedWith(Form measure, Formula.Relation relation, Form other) {
+    return of(measure, Form.HOLE, false)
+        .flatMap(
+            of ->
+                references.over(
+                    of.whose(),
+                    term ->
+                        references.over(
+                            whoseElse(of.fluent(), other),
+                            than ->
+                                Optional.of(
+                                    new Formula.Comparison(
+                                        relation,
+                                        fluent(of.fluent(), term),
+                                        fluent(of.fluent(), than))))));
+  }
+
+  private Reference whoseElse(PredicateDeclaration fluent, Form whose) {
+    Reference itself = whose(fluent, whose, false);
+    return itself instanceof Reference.Mistyped ? whose(fluent, whose, true) : itself;
+  }
+
   /** The fluents that are asked for, of each thing one. */
   List<Expression.Fluent> asked(Form measure) {
     return of(measure, Form.HOLE, false).stream()
@@ -276,6 +299,7 @@ final class Measures {
     boolean isPlace =
         whose.is("rel")
             || whose.is("here")
+            || whose.is("herealone")
             || whose.is("there")
             || whose.is("everywhere")
             || whose.is("from")
@@ -289,11 +313,11 @@ final class Measures {
     }
     Reference place = place(whose, type);
     boolean isElsewhere = place instanceof Reference.Mistyped || place instanceof Reference.None;
-    return around && isElsewhere ? thingsAt(whose, type) : place;
+    return around && isElsewhere && !whose.is("herealone") ? thingsAt(whose, type) : place;
   }
 
   private Reference place(Form where, String type) {
-    if (where.is("here")) {
+    if (where.is("here") || where.is("herealone")) {
       return situation
           .here()
           .filter(here -> phrases.relations().isA(new Term.Name(here), type))

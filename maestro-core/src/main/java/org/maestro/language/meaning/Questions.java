@@ -60,12 +60,18 @@ final class Questions {
   }
 
   private Optional<Formula> asked(Form clause) {
+    if (clause.is("happens")) {
+      return acts.condition(clause);
+    }
+    if (!clause.is("compare") && !clause.is("comparewith")) {
+      return states.holding(clause.part(0), clause.part(1));
+    }
+    Form measure = Form.of("measure", clause.part(0), clause.part(1));
+    Formula.Relation relation =
+        clause.part(0).is("more") ? Formula.Relation.GREATER : Formula.Relation.LESS;
     return clause.is("compare")
-        ? measures.compared(
-            Form.of("measure", clause.part(0), clause.part(1)),
-            clause.part(0).is("more") ? Formula.Relation.GREATER : Formula.Relation.LESS,
-            clause.part(2))
-        : states.holding(clause.part(0), clause.part(1));
+        ? measures.compared(measure, relation, clause.part(2))
+        : measures.comparedWith(measure, relation, clause.part(2));
   }
 
   private static Content content(String operator, Formula formula) {

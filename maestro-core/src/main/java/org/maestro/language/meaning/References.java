@@ -1,6 +1,7 @@
 package org.maestro.language.meaning;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,13 +15,15 @@ import org.maestro.sl.Term;
 /** Notes, for one reading, which references are broken, and what follows for formulas. */
 final class References {
   private final NounPhrases phrases;
+  private final Settables settables;
   private final List<Doubt> doubts = new ArrayList<>();
   private int broken;
   private boolean dead;
   private boolean wished;
 
-  References(NounPhrases phrases) {
+  References(NounPhrases phrases, Settables settables) {
     this.phrases = phrases;
+    this.settables = settables;
   }
 
   NounPhrases phrases() {
@@ -63,15 +66,7 @@ final class References {
     if (reference instanceof Reference.Single single) {
       return said.apply(single.term());
     } else if (reference instanceof Reference.Several several) {
-      List<Formula> each = new ArrayList<>();
-      for (Term term : several.terms()) {
-        Optional<Formula> one = said.apply(term);
-        if (one.isEmpty()) {
-          return Optional.empty();
-        }
-        each.add(one.get());
-      }
-      return Optional.of(conjunction(each));
+      return each(several, said);
     } else if (reference instanceof Reference.All all) {
       return said.apply(new Term.Variable(all.variable().name()))
           .map(
@@ -90,9 +85,45 @@ final class References {
                 return new Formula.Exists(List.of(any.variable()), conjunction(parts));
               });
     }
+    if (reference instanceof Reference.Either either) {
+      return either(either, said);
+    }
     return reference instanceof Reference.Open open
         ? unlessSoAlready(open, said)
         : broken(reference);
+  }
+
+  /** Of several things that are to be so those that can. */
+  private Optional<Formula> each(
+      Reference.Several several, Function<Term, Optional<Formula>> said) {
+    List<Formula> each = new ArrayList<>();
+    for (Term term : several.terms()) {
+      Optional<Formula> one = said.apply(term);
+      if (one.isEmpty()) {
+        return Optional.empty();
+      }
+      each.add(one.get());
+    }
+    List<Formula> able =
+        wished ? each.stream().filter(settables::mayBringAbout).toList() : List.of();
+    return Optional.of(conjunction(able.isEmpty() ? each : able));
+  }
+
+  /** Of two things that are named it is asked which; of two kinds of things any will do. */
+  private Optional<Formula> either(
+      Reference.Either either, Function<Term, Optional<Formula>> said) {
+    if (wished && either.named().isPresent()) {
+      return broken(either);
+    }
+    List<Formula> options = new ArrayList<>();
+    for (Reference option : either.options()) {
+      Optional<Formula> one = over(option, said);
+      if (one.isEmpty()) {
+        return Optional.empty();
+      }
+      options.add(one.get());
+    }
+    return Optional.of(new Formula.Or(options));
   }
 
   private Optional<Formula> broken(Reference reference) {
@@ -106,18 +137,27 @@ final class References {
     if (!wished) {
       return broken(open);
     }
-    List<Formula> lacking = new ArrayList<>();
+    Map<Term.Name, Formula> able = new LinkedHashMap<>();
     for (Term.Name candidate : open.candidates()) {
       Optional<Formula> formula = said.apply(candidate);
       if (formula.isEmpty()) {
         return broken(open);
       }
-      if (!phrases.relations().holds(formula.get(), Map.of())) {
-        lacking.add(formula.get());
+      if (settables.mayBringAbout(formula.get())) {
+        able.put(candidate, formula.get());
       }
     }
+    if (able.size() == 1) {
+      phrases.spokenOf(able.keySet().iterator().next());
+      return Optional.of(able.values().iterator().next());
+    }
+    List<Formula> lacking =
+        able.values().stream()
+            .filter(formula -> !phrases.relations().holds(formula, Map.of()))
+            .toList();
     if (lacking.size() != 1) {
-      return broken(open);
+      return broken(
+          able.isEmpty() ? open : new Reference.Open(open.said(), List.copyOf(able.keySet())));
     }
     broken++;
     return Optional.of(lacking.get(0));
@@ -143,9 +183,15 @@ final class References {
   private void note(Reference reference) {
     if (reference instanceof Reference.Open open) {
       doubt(new Doubt.Which(open.said(), open.candidates()));
+    } else if (reference instanceof Reference.Either either && either.named().isPresent()) {
+      doubt(new Doubt.Which(either.said(), either.named().get()));
     } else if (reference instanceof Reference.None none) {
       doubt(new Doubt.NoSuch(none.said()));
-    } else if (reference instanceof Reference.Any || reference instanceof Reference.All) {
+      // What could be meant of several is likelier than what is nowhere.
+      broken++;
+    } else if (reference instanceof Reference.Any
+        || reference instanceof Reference.All
+        || reference instanceof Reference.Either) {
       doubt(new Doubt.Nothing("all and any are not meant there"));
     } else {
       die();

@@ -24,6 +24,9 @@ final class States {
 
   /** What is so when the thing is in the state, or at the place. */
   Optional<Formula> holding(Form thing, Form state) {
+    if (thing.is("nobody")) {
+      return holding(Form.leaf("somebody"), state).map(Formula.Not::new);
+    }
     if (state.is("not")) {
       return holding(thing, state.part(0)).map(Formula.Not::new);
     }

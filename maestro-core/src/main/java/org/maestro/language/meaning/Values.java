@@ -91,6 +91,11 @@ final class Values {
     }
   }
 
+  /** The same of the next day: what may be meant of two times is that of the morning. */
+  static OptionalInt minuteOfTomorrow(Form clock) {
+    return minuteOfDay(clock, OptionalInt.of(DAY - 1));
+  }
+
   private static int hours(Form clock) {
     return (int) Math.round(Double.parseDouble(clock.text(0)) * HOUR);
   }

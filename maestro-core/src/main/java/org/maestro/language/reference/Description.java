@@ -14,6 +14,7 @@ import org.maestro.sl.Term;
  * @param tests that only the situation can tell, such as which is the nearest
  * @param placed whether it is said where they are
  * @param everywhere whether it is said that wherever is meant
+ * @param supposed whether it is only supposed, as nobody knows otherwise
  * @param nth of several, from 1 on, the last by -1; 0 when it is not said
  */
 record Description(
@@ -23,6 +24,7 @@ record Description(
     List<Test> tests,
     boolean placed,
     boolean everywhere,
+    boolean supposed,
     int nth) {
   /** The variable of conditions. */
   static final String IT = "x";
@@ -41,7 +43,7 @@ record Description(
   }
 
   static Description ofClass(String name) {
-    return new Description(List.of(), name, List.of(), List.of(), false, false, 0);
+    return new Description(List.of(), name, List.of(), List.of(), false, false, false, 0);
   }
 
   static Description ofNames(Form names) {
@@ -52,29 +54,39 @@ record Description(
         List.of(),
         false,
         false,
+        false,
         0);
   }
 
   Description with(Formula condition) {
     return new Description(
-        named, className, added(conditions, condition), tests, placed, everywhere, nth);
+        named, className, added(conditions, condition), tests, placed, everywhere, supposed, nth);
   }
 
   Description with(Test test) {
     return new Description(
-        named, className, conditions, added(tests, test), placed, everywhere, nth);
+        named, className, conditions, added(tests, test), placed, everywhere, supposed, nth);
   }
 
   Description placedSomewhere() {
-    return new Description(named, className, conditions, tests, true, everywhere, nth);
+    return new Description(named, className, conditions, tests, true, everywhere, supposed, nth);
   }
 
   Description anywhere() {
-    return new Description(named, className, conditions, tests, true, true, nth);
+    return new Description(named, className, conditions, tests, true, true, supposed, nth);
+  }
+
+  Description unconditional() {
+    return new Description(named, className, List.of(), tests, placed, everywhere, supposed, nth);
+  }
+
+  Description supposing() {
+    return new Description(named, className, conditions, tests, true, everywhere, true, nth);
   }
 
   Description ordinal(int number) {
-    return new Description(named, className, conditions, tests, placed, everywhere, number);
+    return new Description(
+        named, className, conditions, tests, placed, everywhere, supposed, number);
   }
 
   private static <T> List<T> added(List<T> list, T one) {

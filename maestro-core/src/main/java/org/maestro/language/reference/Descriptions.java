@@ -32,7 +32,9 @@ final class Descriptions {
     return switch (nominal.head()) {
       case "noun" -> Optional.of(Description.ofClass(nominal.text(0)));
       case "name" -> Optional.of(Description.ofNames(nominal));
-      case "one" -> situation.discourse().classes().stream().findFirst().map(Description::ofClass);
+      case "called" -> of(nominal.part(1)).map(head -> called(head, nominal.part(0).text(0)));
+      case "any" -> Optional.of(Description.ofClass(""));
+      case "one" -> latestKind().map(Description::ofClass);
       case "mod" -> of(nominal.part(1)).map(head -> head.with(adjective(nominal.part(0))));
       case "instate" -> of(nominal.part(1)).flatMap(head -> inState(head, nominal.part(0)));
       case "at" -> of(nominal.part(0)).flatMap(head -> placed(head, nominal.part(1)));
@@ -43,6 +45,19 @@ final class Descriptions {
       case "_" -> Optional.of(Description.ofClass(""));
       default -> Optional.empty();
     };
+  }
+
+  /** The kind that was spoken of last, in this sentence or before it. */
+  private Optional<String> latestKind() {
+    List<String> now = phrases.kinds();
+    return now.isEmpty()
+        ? situation.discourse().classes().stream().findFirst()
+        : Optional.of(now.get(now.size() - 1));
+  }
+
+  /** Of those that are called so the ones that are of the class. */
+  private Description called(Description named, String className) {
+    return named.with(candidate -> relations.isA(candidate, className));
   }
 
   private Description other(Description head) {
@@ -109,7 +124,7 @@ final class Descriptions {
       case "either":
         return either(head, where);
       case "from":
-        return owned(head, where.part(0));
+        return from(head, where.part(0));
       case "rel":
         return related(head, where.part(0), where.part(1));
       default:
@@ -165,32 +180,33 @@ final class Descriptions {
     }
     List<Formula> either = new ArrayList<>();
     for (PredicateDeclaration predicate : fitting) {
-      Reference other = phrases.resolve(phrase, Relations.typeOf(predicate, 1));
-      if (other instanceof Reference.Single single) {
-        either.add(
-            new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, single.term())));
-      } else if (other instanceof Reference.Any any) {
-        either.add(some(predicate, any));
-      } else if (other instanceof Reference.Several several) {
-        several
-            .terms()
-            .forEach(
-                term ->
-                    either.add(
-                        new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, term))));
-      } else if (other instanceof Reference.Open open) {
-        open.candidates()
-            .forEach(
-                term ->
-                    either.add(
-                        new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, term))));
-      }
+      either.addAll(to(predicate, phrases.resolve(phrase, Relations.typeOf(predicate, 1))));
     }
     if (either.isEmpty()) {
       return Optional.empty();
     }
     Formula condition = either.size() == 1 ? either.get(0) : new Formula.Or(either);
     return Optional.of(head.with(condition).placedSomewhere());
+  }
+
+  /** Each way in which it may be related to what is referred to. */
+  private static List<Formula> to(PredicateDeclaration predicate, Reference other) {
+    if (other instanceof Reference.Single single) {
+      return List.of(to(predicate, single.term()));
+    } else if (other instanceof Reference.Any any) {
+      return List.of(some(predicate, any));
+    } else if (other instanceof Reference.Several several) {
+      return several.terms().stream().map(term -> to(predicate, term)).toList();
+    } else if (other instanceof Reference.Open open) {
+      return open.candidates().stream().map(term -> to(predicate, term)).toList();
+    } else if (other instanceof Reference.Either options) {
+      return options.options().stream().flatMap(one -> to(predicate, one).stream()).toList();
+    }
+    return List.of();
+  }
+
+  private static Formula to(PredicateDeclaration predicate, Term other) {
+    return new Formula.Atom(predicate.name(), List.of(Description.VARIABLE, other));
   }
 
   /** What can be brought about is told by what is computed, too, and is meant. */
@@ -208,6 +224,17 @@ final class Descriptions {
             List.of(Description.VARIABLE, new Term.Variable(any.variable().name()))));
     return new Formula.Exists(
         List.of(any.variable()), parts.size() == 1 ? parts.get(0) : new Formula.And(parts));
+  }
+
+  /** What is there, or of which nobody knows where it is, and the speaker says where. */
+  private Optional<Description> from(Description head, Form where) {
+    Optional<Description> known = owned(head, where);
+    boolean isAnyKnown =
+        known.filter(there -> !phrases.candidates(there, head.className()).isEmpty()).isPresent();
+    return isAnyKnown || !(phrases.resolve(where, "") instanceof Reference.Single place)
+        ? known
+        : Optional.of(
+            head.with(candidate -> relations.mayBeAt(candidate, place.term())).supposing());
   }
 
   private Optional<Description> owned(Description head, Form owner) {

@@ -32,6 +32,7 @@ public final class NounPhrases {
   private final List<Term.Name> group = new ArrayList<>();
   private final Map<Form, Map<String, Reference>> resolved = new HashMap<>();
   private int variables;
+  private int supposed;
 
   public NounPhrases(Situation situation) {
     this.situation = situation;
@@ -51,6 +52,11 @@ public final class NounPhrases {
   /** Several things that were referred to together last. */
   public List<Term.Name> group() {
     return List.copyOf(group);
+  }
+
+  /** How many phrases refer to what is only supposed to be so, as nobody knows otherwise. */
+  public int supposed() {
+    return supposed;
   }
 
   /** The kinds of things that were spoken of. */
@@ -81,9 +87,11 @@ public final class NounPhrases {
     return switch (phrase.head()) {
       case "np" -> counted(phrase, className);
       case "and" -> joined(phrase, className);
+      case "or" -> either(phrase, className);
       case "except" -> without(phrase, className);
       case "placed" -> resolve(placed(phrase.part(0), phrase.part(1)), className);
       case "somebody" -> somebody(phrase, className);
+      case "everybody" -> everybody(phrase, className);
       case "it" -> latest(phrase, className);
       case "them" -> latestGroup(phrase, className);
       case "him" -> latest(phrase, className);
@@ -113,6 +121,17 @@ public final class NounPhrases {
         .<Reference>map(
             kind -> quantified(Description.ofClass(kind), className, Reference.Any::new))
         .orElseGet(() -> new Reference.Mistyped(phrase));
+  }
+
+  /** All but who speaks. */
+  private Reference everybody(Form phrase, String className) {
+    List<Term.Name> all =
+        persons(situation.home()).stream()
+            .flatMap(kind -> situation.facts().individuals(kind).stream())
+            .filter(name -> situation.speaker().filter(name.text()::equals).isEmpty())
+            .filter(name -> relations.isA(name, className))
+            .toList();
+    return all.isEmpty() ? new Reference.None(phrase) : together(all);
   }
 
   /** The class of those for whom one asks with "who". */
@@ -210,6 +229,22 @@ public final class NounPhrases {
     return new Reference.Several(all.stream().distinct().toList());
   }
 
+  private Reference either(Form phrase, String className) {
+    List<Reference> options = new ArrayList<>();
+    for (Form part : phrase.parts()) {
+      Reference one = resolve(part, className);
+      boolean isOne = one instanceof Reference.Single || one instanceof Reference.Any;
+      if (one instanceof Reference.Either more) {
+        options.addAll(more.options());
+      } else if (isOne) {
+        options.add(one);
+      } else {
+        return one;
+      }
+    }
+    return new Reference.Either(phrase, options);
+  }
+
   private Reference without(Form phrase, String className) {
     Reference all = resolve(phrase.part(0), className);
     Reference but = resolve(phrase.part(1), className);
@@ -276,8 +311,8 @@ public final class NounPhrases {
       return new Reference.None(phrase);
     }
     Description description = read.get();
-    List<Term.Name> candidates = candidates(description, className);
-    kinds(description, candidates)
+    List<Term.Name> certain = candidates(description, className);
+    kinds(description, certain)
         .forEach(
             kind -> {
               kinds.remove(kind);
@@ -286,6 +321,12 @@ public final class NounPhrases {
     boolean mayFit = mayFit(description, className);
     if (!mayFit) {
       return new Reference.Mistyped(phrase);
+    }
+    boolean isDefinite = determiner.equals("the") || determiner.equals("this");
+    boolean isNowhere = isDefinite && certain.isEmpty() && description.placed();
+    List<Term.Name> candidates = isNowhere ? notElsewhere(description, className) : certain;
+    if (!candidates.isEmpty() && (isNowhere || description.supposed())) {
+      supposed++;
     }
     return switch (determiner) {
       case "a", "some" -> any(description, className, phrase, candidates);
@@ -343,6 +384,18 @@ public final class NounPhrases {
     return all.stream()
         .filter(name -> relations.isA(name, className))
         .filter(name -> isSo(description, name))
+        .toList();
+  }
+
+  /** Things of which nobody knows that they are elsewhere: whoever says where they are may know. */
+  private List<Term.Name> notElsewhere(Description description, String className) {
+    Description anywhere = description.unconditional();
+    return candidates(anywhere, className).stream()
+        .filter(
+            name ->
+                description.conditions().stream()
+                    .allMatch(
+                        condition -> relations.mayHold(condition, Map.of(Description.IT, name))))
         .toList();
   }
 
@@ -486,7 +539,12 @@ public final class NounPhrases {
   private Reference any(
       Description description, String className, Form phrase, List<Term.Name> candidates) {
     if (!description.named().isEmpty()) {
+      // Who says "a cup" means a kind, rather than the one that is called so.
+      supposed++;
       return definite(description, phrase, candidates);
+    }
+    if (description.className().isEmpty() && candidates.isEmpty()) {
+      return new Reference.None(phrase);
     }
     return description.tests().isEmpty()
         ? quantified(description, className, Reference.Any::new)

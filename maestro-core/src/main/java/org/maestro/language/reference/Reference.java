@@ -1,6 +1,7 @@
 package org.maestro.language.reference;
 
 import java.util.List;
+import java.util.Optional;
 import org.maestro.language.grammar.Form;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -30,6 +31,25 @@ public sealed interface Reference {
   record Any(TypedVariable variable, List<Formula> conditions) implements Reference {
     public Any {
       conditions = List.copyOf(conditions);
+    }
+  }
+
+  /** One or the other, as was said. */
+  record Either(Form said, List<Reference> options) implements Reference {
+    public Either {
+      options = List.copyOf(options);
+    }
+
+    /** The things between which it was left, when each is one thing. */
+    public Optional<List<Term.Name>> named() {
+      List<Term.Name> names =
+          options.stream()
+              .filter(Single.class::isInstance)
+              .map(option -> ((Single) option).term())
+              .filter(Term.Name.class::isInstance)
+              .map(Term.Name.class::cast)
+              .toList();
+      return names.size() == options.size() ? Optional.of(names) : Optional.empty();
     }
   }
 

@@ -107,6 +107,43 @@ public final class Relations {
         .anyMatch(predicate -> holds(predicate.name(), thing, place));
   }
 
+  /**
+   * Whether nobody knows that the thing is elsewhere than where the place is: then whoever says
+   * that it is there may know.
+   */
+  boolean mayBeAt(Term thing, Term place) {
+    List<Truth> truths =
+        home.wording().prepositions().keySet().stream()
+            .map(vocabulary::predicate)
+            .flatMap(Optional::stream)
+            .filter(predicate -> predicate.parameters().size() == 2 && isBroughtAbout(predicate))
+            .filter(predicate -> fits(predicate, 0, thing) && fits(predicate, 1, place))
+            .map(predicate -> truth(new Formula.Atom(predicate.name(), List.of(thing, place))))
+            .toList();
+    return truths.stream().anyMatch(truth -> truth != Truth.FALSE);
+  }
+
+  private Truth truth(Formula formula) {
+    return new Evaluation(facts).truth(formula, Map.of());
+  }
+
+  /** Whether the formula holds, or tells where something is and is not known to be false. */
+  boolean mayHold(Formula formula, Map<String, Term> bindings) {
+    return holds(formula, bindings)
+        || isOfPlaces(formula)
+            && bindings.keySet().containsAll(FreeVariables.of(formula))
+            && new Evaluation(facts).truth(formula, bindings) != Truth.FALSE;
+  }
+
+  private boolean isOfPlaces(Formula formula) {
+    if (formula instanceof Formula.Or or) {
+      return or.operands().stream().allMatch(this::isOfPlaces);
+    }
+    return formula instanceof Formula.Atom atom
+        && home.wording().prepositions().containsKey(atom.predicate())
+        && vocabulary.predicate(atom.predicate()).filter(Relations::isBroughtAbout).isPresent();
+  }
+
   /** Whether any preposition's predicate is known to hold of both. */
   boolean areRelated(Term thing, Term other) {
     return home.wording().prepositions().keySet().stream()

@@ -43,7 +43,7 @@ public final class QuestionsBack {
     } else if (doubt instanceof Doubt.Missing missing) {
       return missing(missing);
     } else if (doubt instanceof Doubt.NoSuch none) {
-      return filled(grammar.phrase("none"), Map.of("what", said(none.said())));
+      return filled(grammar.phrase("none"), Map.of("what", said(none.said()).strip()));
     } else if (doubt instanceof Doubt.NotKnown unknown) {
       return filled(
           grammar.phrase("not-known"),
@@ -53,6 +53,10 @@ public final class QuestionsBack {
                   unknown.fluent().arguments().stream()
                       .map(naming::of)
                       .collect(Collectors.joining(" "))));
+    } else if (doubt instanceof Doubt.LeftOut leftOut) {
+      return filled(
+          grammar.phrase("without"),
+          Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
     } else if (doubt instanceof Doubt.Confirm) {
       return grammar.phrase("confirm");
     }
@@ -73,9 +77,11 @@ public final class QuestionsBack {
             .distinct()
             .toList();
     List<String> names = different.stream().map(naming::of).distinct().toList();
-    return names.size() == 2
-        ? filled(grammar.phrase("which-name"), Map.of("first", names.get(0), "last", names.get(1)))
-        : ofKinds(kinds(different));
+    return names.size() == 2 ? betweenNames(names) : ofKinds(kinds(different));
+  }
+
+  private String betweenNames(List<String> two) {
+    return filled(grammar.phrase("which-name"), Map.of("first", two.get(0), "last", two.get(1)));
   }
 
   private List<String> kinds(List<Term.Name> candidates) {
@@ -115,6 +121,9 @@ public final class QuestionsBack {
             .or(() -> candidates.stream().findFirst().flatMap(naming::kind))
             .orElse("");
     List<String> names = candidates.stream().map(naming::of).distinct().toList();
+    if (doubt.said().is("or") && names.size() == 2) {
+      return betweenNames(names);
+    }
     if (names.size() < candidates.size() && byPlace(candidates).isEmpty()) {
       List<String> kinds = kinds(candidates);
       return kinds.size() == 2
@@ -193,10 +202,14 @@ public final class QuestionsBack {
       case "np" -> said(form.part(form.parts().size() - 1));
       case "mod" -> form.part(0).text(1) + " " + said(form.part(1));
       case "at" -> said(form.part(0)) + " " + said(form.part(1));
-      case "rel" -> grammar.phrase("there");
+      case "rel", "from" -> grammar.phrase("there");
+      case "any" -> "";
       case "it", "them", "him" -> grammar.phrase("it");
       case "beside", "of" -> said(form.part(0)) + " " + said(form.part(1));
-      default -> form.parts().isEmpty() ? form.head() : said(form.part(form.parts().size() - 1));
+      default ->
+          form.parts().isEmpty()
+              ? naming.word(form.head())
+              : said(form.part(form.parts().size() - 1));
     };
   }
 }

@@ -35,7 +35,7 @@ final class HouseholdWords {
   private static final Set<Node> WORDS =
       Stream.concat(
               Stream.of(OWL.Class.asNode()),
-              Stream.of("Predicate", "Fluent", "Action", "Task").map(Maestro::term))
+              Stream.of("Predicate", "Fluent", "Action", "Task", "Script").map(Maestro::term))
           .collect(Collectors.toUnmodifiableSet());
 
   /** Properties whose texts are written in words of the vocabulary. */
@@ -53,7 +53,9 @@ final class HouseholdWords {
                       "seconds",
                       "holdsWhen",
                       "broughtAboutBy",
-                      "means")
+                      "means",
+                      "arguments",
+                      "body")
                   .map(Maestro::term))
           .collect(Collectors.toUnmodifiableSet());
 

@@ -10,4 +10,9 @@ public record Said(String text, String language) {
   public boolean isIn(String tag) {
     return language.isEmpty() || language.equals(tag) || language.startsWith(tag + "-");
   }
+
+  /** Another text in the same language. */
+  public Said saying(String other) {
+    return new Said(other, language);
+  }
 }

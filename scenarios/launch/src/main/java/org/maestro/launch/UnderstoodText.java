@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.maestro.language.Language;
@@ -25,13 +26,21 @@ final class UnderstoodText {
     out.println(understood.utterance());
     understood.message().ifPresent(message -> out.println("  means  " + SlPrinter.print(message)));
     understood.question().ifPresent(question -> out.println("  asks   " + question));
+    if (understood.message().isEmpty() && understood.question().isPresent()) {
+      understood.meanings().stream()
+          .map(Meaning::message)
+          .flatMap(Optional::stream)
+          .distinct()
+          .limit(MOST_NAMED)
+          .forEach(message -> out.println("  may mean " + SlPrinter.print(message)));
+    }
     understood.reply().ifPresent(reply -> out.println("  says   " + reply));
     for (Heard word : understood.heard()) {
       if (word.fate() != Heard.Fate.TAKEN) {
         out.printf(
             "  %s is %s%s%n",
             word.word(),
-            word.fate().name().toLowerCase(java.util.Locale.ROOT),
+            word.fate().name().toLowerCase(Locale.ROOT),
             word.as().map(other -> " (taken for " + other + ")").orElse(""));
       }
     }
@@ -80,6 +89,7 @@ final class UnderstoodText {
               ObjectNode one = began.addObject();
               one.put("after", begun.after());
               one.put("message", SlPrinter.print(begun.message()));
+              put(one, "calledOff", begun.calledOff());
             });
     ArrayNode unknown = document.putArray("unknown");
     understood.unknown().forEach(unknown::add);

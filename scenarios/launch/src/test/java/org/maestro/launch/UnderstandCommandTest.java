@@ -15,6 +15,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Words are understood in the evening's house, from the command line. */
 class UnderstandCommandTest {
@@ -45,11 +47,12 @@ class UnderstandCommandTest {
   /**
    * A line each: utterance, speaker, room, what was said before, and the message or the question.
    */
-  @Test
-  void eachUtteranceOfTheListMeansWhatStandsBesideIt() throws IOException {
+  @ParameterizedTest
+  @ValueSource(strings = {"evening.tsv", "wordings.tsv"})
+  void eachUtteranceOfTheListMeansWhatStandsBesideIt(String list) throws IOException {
     List<String> lines = new ArrayList<>();
     List<String> expected = new ArrayList<>();
-    for (String line : resource().lines().filter(one -> !one.startsWith("#")).toList()) {
+    for (String line : resource(list).lines().filter(one -> !one.startsWith("#")).toList()) {
       String[] columns = line.split("\t", -1);
       lines.add(String.join("\t", columns[0], columns[1], columns[2], columns[3]));
       expected.add(columns[0] + " => " + columns[4]);
@@ -77,10 +80,34 @@ class UnderstandCommandTest {
             .asText();
   }
 
-  private static String resource() throws IOException {
-    try (InputStream stream = UnderstandCommandTest.class.getResourceAsStream("evening.tsv")) {
+  private static String resource(String name) throws IOException {
+    try (InputStream stream = UnderstandCommandTest.class.getResourceAsStream(name)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
     }
+  }
+
+  @Test
+  void whatTurnsOutToBeMeantOtherwiseIsCalledOff() throws IOException {
+    JsonNode later =
+        CommandSchemas.valid(
+            "understand",
+            Printed.by(
+                "understand", "turn on the kitchen light at 10 pm", "--at", "18:00", "--json"));
+
+    assertThat(later.path("meaning").asText()).startsWith("(at 1320 ");
+    assertThat(later.path("began").get(0).path("after").asText()).isEqualTo("light");
+    assertThat(later.path("began").get(0).path("calledOff").asText()).isEqualTo("10");
+    assertThat(Printed.by("understand", "if the oven is hot", "--json")).contains("\"began\":[]");
+  }
+
+  @Test
+  void everythingIsSwitchedOffOnlyAfterAYes() throws IOException {
+    Path file =
+        Files.writeString(
+            directory.resolve("said.tsv"), "yes\tDave\tlivingroom\tturn off everything");
+
+    assertThat(Printed.by("understand", "--scene", "evening", "--file", file.toString()))
+        .contains("(= (level ceiling-living) 0)", "(not (switchedOn stereo))");
   }
 
   /** ADE, 4.2: one glass stands on the table and one on the floor. */
