@@ -1,0 +1,24 @@
+package org.maestro.language.grammar;
+
+/**
+ * What stands in a grammar's patterns for a part of a construction: {@code pattern VpPast = REST
+ * PARTICLE+VERB.past}.
+ */
+public final class ConstructionPlaces {
+  /** The verb; after a dot the name of its form. */
+  public static final String VERB = "VERB";
+
+  /** What is parted from the verb, and goes before or behind it. */
+  public static final String PARTICLE = "PARTICLE";
+
+  /** Who does it; only constructions that tell what happens have one. */
+  public static final String SUBJECT = "SUBJECT";
+
+  /** All else that is said. */
+  public static final String REST = "REST";
+
+  /** What the construction means. */
+  public static final String FRAME = "FRAME";
+
+  private ConstructionPlaces() {}
+}
