@@ -5,7 +5,9 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
 import org.maestro.language.grammar.Grammar;
@@ -24,6 +26,10 @@ import org.maestro.ontology.home.Home;
  * may listen by it.
  */
 public final class Language {
+  private static final String USUAL = "en";
+  private static final String ENDING = ".grammar";
+  private static final Pattern TAG = Pattern.compile("[a-z]{2,3}(-[A-Za-z]{2,4})?");
+
   private final Grammar grammar;
   private final Lexicon lexicon;
   private final RuleIndex rules;
@@ -46,7 +52,7 @@ public final class Language {
    * @param tag such as {@code en}
    */
   public static Language of(Home home, String tag) {
-    return of(home, GrammarReader.read(shipped(tag), tag + ".grammar"));
+    return of(home, GrammarReader.read(shipped(tag), tag + ENDING));
   }
 
   /** A language by its grammar. */
@@ -54,11 +60,25 @@ public final class Language {
     return new Language(grammar, home);
   }
 
+  /**
+   * The tag of the language that somebody speaks: his own, that of the home, or the usual one; only
+   * shipped ones are spoken.
+   */
+  public static String spoken(Home home, Optional<String> person) {
+    return home.wording().languageOf(person.orElse("")).filter(Language::isShipped).orElse(USUAL);
+  }
+
+  private static boolean isShipped(String tag) {
+    return TAG.matcher(tag).matches() && Language.class.getResource(tag + ENDING) != null;
+  }
+
   private static String shipped(String tag) {
-    try (InputStream stream = Language.class.getResourceAsStream(tag + ".grammar")) {
-      if (stream == null) {
-        throw new IllegalArgumentException("There is no grammar for the language " + tag + ".");
-      }
+    if (!isShipped(tag)) {
+      throw new IllegalArgumentException(
+          "There is no grammar for the language %s; say en, de, or name a file such as nl.grammar."
+              .formatted(tag));
+    }
+    try (InputStream stream = Language.class.getResourceAsStream(tag + ENDING)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
       throw new UncheckedIOException("The grammar of " + tag + " cannot be read.", e);

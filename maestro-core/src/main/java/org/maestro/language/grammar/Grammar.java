@@ -1,6 +1,8 @@
 package org.maestro.language.grammar;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,7 +12,9 @@ import java.util.Set;
  *
  * @param language its tag, such as {@code en}
  * @param rules in the order in which they are preferred
- * @param numbers words for numbers, with their values
+ * @param patterns of which rules are made for each construction, with places for its verb and for
+ *     what goes with it
+ * @param numbers words for numbers, with their values; of several the first is said
  * @param times words that multiply the number before them, with their values
  * @param lists other words by the list's name: {@code filler}, {@code article}, {@code repair}
  * @param phrases what is said, by the phrase's name, with places in braces
@@ -19,6 +23,7 @@ import java.util.Set;
 public record Grammar(
     String language,
     List<Rule> rules,
+    List<Rule> patterns,
     Inflection inflection,
     Map<String, Double> numbers,
     Map<String, Double> times,
@@ -30,7 +35,8 @@ public record Grammar(
 
   public Grammar {
     rules = List.copyOf(rules);
-    numbers = Map.copyOf(numbers);
+    patterns = List.copyOf(patterns);
+    numbers = Collections.unmodifiableMap(new LinkedHashMap<>(numbers));
     times = Map.copyOf(times);
     lists = Map.copyOf(lists);
     phrases = Map.copyOf(phrases);
@@ -41,7 +47,8 @@ public record Grammar(
   public Grammar with(List<Rule> others) {
     List<Rule> all = new ArrayList<>(rules);
     all.addAll(others);
-    return new Grammar(language, all, inflection, numbers, times, lists, phrases, spellings);
+    return new Grammar(
+        language, all, patterns, inflection, numbers, times, lists, phrases, spellings);
   }
 
   /** The words of a list; none when there is no such list. */

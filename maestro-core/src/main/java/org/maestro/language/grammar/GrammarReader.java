@@ -31,9 +31,10 @@ public final class GrammarReader {
 
   private final String file;
   private final List<Rule> rules = new ArrayList<>();
+  private final List<Rule> patterns = new ArrayList<>();
   private final Map<String, List<Inflection.Ending>> endings = new LinkedHashMap<>();
   private final Map<String, Map<String, String>> irregular = new LinkedHashMap<>();
-  private final Map<String, Double> numbers = new HashMap<>();
+  private final Map<String, Double> numbers = new LinkedHashMap<>();
   private final Map<String, Double> times = new HashMap<>();
   private final Map<String, Set<List<String>>> lists = new HashMap<>();
   private final Map<String, String> phrases = new HashMap<>();
@@ -66,6 +67,7 @@ public final class GrammarReader {
     return new Grammar(
         reader.language,
         reader.rules,
+        reader.patterns,
         new Inflection(reader.endings, reader.irregular),
         reader.numbers,
         reader.times,
@@ -78,7 +80,7 @@ public final class GrammarReader {
     Matcher rule = RULE.matcher(content);
     if (rule.matches()) {
       String template = rule.group(3) == null ? "" : rule.group(3);
-      rule(rule.group(1), rule.group(2), template, penalty(rule.group(4)));
+      rule(rules, rule.group(1), rule.group(2), template, penalty(rule.group(4)));
       return;
     }
     int blank = content.indexOf(' ');
@@ -93,11 +95,12 @@ public final class GrammarReader {
       case "spelling" -> pair(rest, spellings::put);
       case "phrase" -> pair(rest, phrases::put);
       case "list" -> list(rest);
+      case "pattern" -> pattern(rest);
       default ->
           throw fault(
               "begins with " + keyword,
-              "write a rule such as Act = v:Vp -> (do v), or language, ending, irregular, number,"
-                  + " times, list, spelling or phrase");
+              "write a rule such as Act = v:Vp -> (do v), or language, pattern, ending, irregular,"
+                  + " number, times, list, spelling or phrase");
     }
   }
 
@@ -184,7 +187,17 @@ public final class GrammarReader {
         });
   }
 
-  private void rule(String category, String items, String template, int penalty) {
+  /** A pattern is a rule, with places in it that each construction fills. */
+  private void pattern(String rest) {
+    Matcher rule = RULE.matcher(rest);
+    if (!rule.matches()) {
+      throw fault("is no pattern", "write one such as pattern Vp = VERB REST");
+    }
+    String template = rule.group(3) == null ? ConstructionPlaces.FRAME : rule.group(3);
+    rule(patterns, rule.group(1), rule.group(2), template, penalty(rule.group(4)));
+  }
+
+  private void rule(List<Rule> into, String category, String items, String template, int penalty) {
     if (items.contains("->")) {
       throw fault("has no items before its ->", "write what is said between = and ->");
     }
@@ -200,7 +213,7 @@ public final class GrammarReader {
         0,
         new ArrayList<>(),
         chosen ->
-            rules.add(
+            into.add(
                 new Rule(
                     category,
                     chosen.stream().map(Choice::symbol).toList(),

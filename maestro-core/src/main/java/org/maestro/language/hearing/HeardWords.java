@@ -115,7 +115,7 @@ public final class HeardWords {
     while (!blocked && chart.complete().isEmpty() && letGo()) {
       repairing = false;
     }
-    if (!blocked && chart.complete().isEmpty()) {
+    if (!blocked && chart.complete().isEmpty() && !goesOnAsBefore()) {
       resumption.ifPresent(this::goOnEarlier);
     }
     if (chart.complete().isEmpty()) {
@@ -128,11 +128,21 @@ public final class HeardWords {
   }
 
   private void repair() {
+    // The breath before it is no part of what goes on.
+    while (!chart.words().isEmpty() && isListed("filler", last(chart.words()))) {
+      List<String> idle = last(chart.words());
+      chart.cut(chart.size() - 1);
+      renote(idle, Heard.Fate.FILLER);
+    }
     repairing = true;
     blocked = false;
     repairs++;
     List<String> before = chart.words();
     resumption = Optional.of(new Resumption(before, before.size(), List.of()));
+  }
+
+  private static List<String> last(List<String> words) {
+    return words.subList(words.size() - 1, words.size());
   }
 
   private boolean isListed(String list, List<String> words) {
@@ -275,6 +285,24 @@ public final class HeardWords {
       }
     }
     restore(now);
+    return false;
+  }
+
+  /** What was said after what is corrected counts still, where the sentence lacks it. */
+  private boolean goesOnAsBefore() {
+    if (resumption.isEmpty() || resumption.get().since().isEmpty()) {
+      return false;
+    }
+    Resumption last = resumption.get();
+    List<String> before = last.before();
+    int size = chart.size();
+    for (int from = before.size() - 1; from > last.column(); from--) {
+      if (before.subList(from, before.size()).stream().allMatch(one -> chart.extend(one, false))
+          && !chart.complete().isEmpty()) {
+        return true;
+      }
+      chart.cut(size);
+    }
     return false;
   }
 

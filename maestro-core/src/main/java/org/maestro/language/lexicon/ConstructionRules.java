@@ -2,13 +2,13 @@ package org.maestro.language.lexicon;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.maestro.language.grammar.ConstructionPlaces;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.Rule;
 import org.maestro.language.grammar.Symbol;
@@ -17,8 +17,8 @@ import org.maestro.ontology.wording.Construction;
 import org.maestro.ontology.wording.Said;
 
 /**
- * Makes rules of constructions: a pattern becomes one for each form of its verb. One that begins
- * with a role tells what happens; one that begins with the verb of wishes is what may be wished.
+ * Makes rules of constructions by the grammar's patterns. One that begins with a role before its
+ * verb tells what happens; one whose verb is that of wishes is what may be wished.
  */
 public final class ConstructionRules {
   private static final Pattern PART =
@@ -32,6 +32,14 @@ public final class ConstructionRules {
           "duration", "Span",
           "time", "Clock",
           "string", "Text");
+
+  private static final String TEXT = "string";
+
+  /** What is wished: it is made of verbs of wishing only. */
+  private static final String WISHED = "WantTail";
+
+  /** Stands between a verb and what may be parted from it. */
+  private static final char PARTING = '-';
 
   private final Grammar grammar;
   private final Tokens tokens;
@@ -92,96 +100,149 @@ public final class ConstructionRules {
   }
 
   private void rules(Construction construction, List<Part> parts, Consumer<Rule> made) {
-    if (parts.get(0).role()) {
-      clause(construction, parts, made);
+    boolean isVerbLast = grammar.list("verb-place").contains(List.of("last"));
+    boolean tells = parts.get(0).role() && (!isVerbLast || construction.means().isEmpty());
+    int verbAt = isVerbLast ? parts.size() - 1 : tells ? 1 : 0;
+    if (verbAt >= parts.size() || parts.get(verbAt).role() || tells && verbAt == 0) {
       return;
     }
-    String verb = parts.get(0).text();
-    if (parts.size() > 1 && grammar.list("want").contains(List.of(verb))) {
-      made.accept(rule("WantTail", construction, parts.subList(1, parts.size())));
-    }
-    made.accept(rule("Vp", construction, parts));
-    timed(construction, parts).ifPresent(made);
-    for (String form : grammar.list("verb-forms").stream().map(words -> words.get(0)).toList()) {
-      made.accept(rule("Vp" + category(form), construction, inflected(parts, 0, form)));
+    List<Part> rest = new ArrayList<>(parts);
+    String verb = rest.remove(verbAt).text();
+    List<Part> subject = tells ? List.of(rest.remove(0)) : List.of();
+    Filling filling = new Filling(verb, subject, rest, textAt(construction, rest));
+    boolean isWish = grammar.list("want").contains(List.of(verb)) && !rest.isEmpty();
+    for (Rule pattern : grammar.patterns()) {
+      boolean mayBe =
+          (isWish || !pattern.category().equals(WISHED))
+              && (filling.textAt() >= 0 || !stands(ConstructionPlaces.SAYING, pattern));
+      if (mayBe && tells == stands(ConstructionPlaces.SUBJECT, pattern)) {
+        made.accept(rule(pattern, construction, filling));
+      }
     }
   }
 
-  /** Before what is said in any words it may be said when: remind me at six to feed the cat. */
-  private static Optional<Rule> timed(Construction construction, List<Part> parts) {
-    int text = parts.size() - 1;
+  private static boolean stands(String place, Rule pattern) {
+    return pattern.symbols().contains(new Symbol.Category(place));
+  }
+
+  /** Where the word stands that begins what is said in any words at the end; -1 for nowhere. */
+  private static int textAt(Construction construction, List<Part> rest) {
+    int last = rest.size() - 1;
     boolean isText =
-        text > 1 && parts.get(text).role() && isOfText(construction, parts.get(text).text());
-    if (!isText || parts.get(text - 1).role()) {
-      return Optional.empty();
-    }
-    Rule whole = rule("Vp", construction, parts);
-    List<Symbol> symbols = new ArrayList<>(whole.symbols());
-    List<String> labels = new ArrayList<>(whole.labels());
-    symbols.add(text - 1, new Symbol.Category("When"));
-    labels.add(text - 1, "when");
-    return Optional.of(
-        new Rule(
-            "Vp",
-            symbols,
-            labels,
-            new Template.Node("later", List.of(new Template.Label("when"), whole.template())),
-            0));
+        last > 0
+            && rest.get(last).role()
+            && !rest.get(last - 1).role()
+            && construction.roles().stream()
+                .filter(role -> role.name().equals(rest.get(last).text()))
+                .anyMatch(role -> role.type().equals(TEXT));
+    return isText ? last - 1 : -1;
   }
 
-  private static boolean isOfText(Construction construction, String role) {
-    return construction.roles().stream()
-        .anyMatch(one -> one.name().equals(role) && one.type().equals("string"));
-  }
+  /**
+   * What fills the places of a grammar's pattern.
+   *
+   * @param textAt from where on in the rest something is said in any words; -1 for nowhere
+   */
+  private record Filling(String verb, List<Part> subject, List<Part> rest, int textAt) {}
 
-  private void clause(Construction construction, List<Part> parts, Consumer<Rule> made) {
-    made.accept(rule("Clause", construction, parts));
-    if (parts.size() > 1) {
-      for (String form : grammar.list("verb-forms").stream().map(words -> words.get(0)).toList()) {
-        made.accept(rule("Clause" + category(form), construction, inflected(parts, 1, form)));
+  /** A symbol, and by which label what it means is called. */
+  private record Labelled(String label, Symbol symbol) {}
+
+  private Rule rule(Rule pattern, Construction construction, Filling filling) {
+    List<Labelled> items = new ArrayList<>();
+    for (int i = 0; i < pattern.symbols().size(); i++) {
+      Symbol symbol = pattern.symbols().get(i);
+      String place = symbol instanceof Symbol.Category category ? category.name() : "";
+      if (place.equals(ConstructionPlaces.REST)) {
+        filling.rest().forEach(part -> items.add(item(construction, part)));
+      } else if (place.equals(ConstructionPlaces.BEFORE)) {
+        filling
+            .rest()
+            .subList(0, filling.textAt())
+            .forEach(part -> items.add(item(construction, part)));
+      } else if (place.equals(ConstructionPlaces.SAYING)) {
+        filling
+            .rest()
+            .subList(filling.textAt(), filling.rest().size())
+            .forEach(part -> items.add(item(construction, part)));
+      } else if (place.equals(ConstructionPlaces.SUBJECT)) {
+        filling.subject().forEach(part -> items.add(item(construction, part)));
+      } else if (place.contains(ConstructionPlaces.VERB)
+          || place.contains(ConstructionPlaces.PARTICLE)) {
+        tokens
+            .of(verb(place, filling.verb()))
+            .forEach(word -> items.add(new Labelled("", new Symbol.Word(word))));
+      } else {
+        items.add(new Labelled(pattern.labels().get(i), symbol));
       }
     }
+    return new Rule(
+        pattern.category(),
+        items.stream().map(Labelled::symbol).toList(),
+        items.stream().map(Labelled::label).toList(),
+        filled(pattern.template(), frame(construction, filling)),
+        pattern.penalty());
   }
 
-  private static String category(String form) {
-    return Character.toUpperCase(form.charAt(0)) + form.substring(1);
-  }
-
-  private List<Part> inflected(List<Part> parts, int at, String form) {
-    List<Part> others = new ArrayList<>(parts);
-    if (!parts.get(at).role()) {
-      others.set(at, new Part(grammar.inflection().of(parts.get(at).text(), form), false));
-    }
-    return others;
-  }
-
-  private static Rule rule(String category, Construction construction, List<Part> parts) {
-    List<Symbol> symbols = new ArrayList<>();
-    List<String> labels = new ArrayList<>();
-    Map<String, Template> roles = new LinkedHashMap<>();
-    for (Part part : parts) {
-      if (!part.role()) {
-        symbols.add(new Symbol.Word(part.text()));
-        labels.add("");
-        continue;
+  /** A form of the verb, with what may be parted from it, as the place says. */
+  private String verb(String place, String verb) {
+    int parting = isParted() ? verb.indexOf(PARTING) : -1;
+    String particle = parting < 0 ? "" : verb.substring(0, parting);
+    String stem = verb.substring(parting + 1);
+    StringBuilder word = new StringBuilder();
+    for (String part : place.split("\\+")) {
+      int dot = part.indexOf('.');
+      if (part.equals(ConstructionPlaces.PARTICLE)) {
+        word.append(particle);
+      } else {
+        word.append(dot < 0 ? stem : grammar.inflection().of(stem, part.substring(dot + 1)));
       }
-      String type =
-          construction.roles().stream()
-              .filter(role -> role.name().equals(part.text()))
-              .findFirst()
-              .map(Construction.Role::type)
-              .orElse("");
-      symbols.add(new Symbol.Category(CATEGORIES.getOrDefault(type, "Np")));
-      labels.add(part.text());
-      roles.put(
-          part.text(),
-          new Template.Node(
-              "role",
-              List.of(new Template.Node(part.text(), List.of()), new Template.Label(part.text()))));
     }
+    return word.toString();
+  }
+
+  private boolean isParted() {
+    return grammar.patterns().stream()
+        .anyMatch(pattern -> stands(ConstructionPlaces.PARTICLE, pattern));
+  }
+
+  private static Labelled item(Construction construction, Part part) {
+    if (!part.role()) {
+      return new Labelled("", new Symbol.Word(part.text()));
+    }
+    String type =
+        construction.roles().stream()
+            .filter(role -> role.name().equals(part.text()))
+            .findFirst()
+            .map(Construction.Role::type)
+            .orElse("");
+    return new Labelled(part.text(), new Symbol.Category(CATEGORIES.getOrDefault(type, "Np")));
+  }
+
+  private static Template frame(Construction construction, Filling filling) {
     List<Template> frame = new ArrayList<>();
     frame.add(new Template.Node(construction.name(), List.of()));
-    frame.addAll(roles.values());
-    return new Rule(category, symbols, labels, new Template.Node("frame", frame), 0);
+    Stream.concat(filling.subject().stream(), filling.rest().stream())
+        .filter(Part::role)
+        .map(Part::text)
+        .distinct()
+        .forEach(
+            role ->
+                frame.add(
+                    new Template.Node(
+                        "role",
+                        List.of(new Template.Node(role, List.of()), new Template.Label(role)))));
+    return new Template.Node("frame", frame);
+  }
+
+  /** The pattern's meaning with the construction's in its place. */
+  private static Template filled(Template template, Template frame) {
+    if (template instanceof Template.Node node) {
+      return node.head().equals(ConstructionPlaces.FRAME)
+          ? frame
+          : new Template.Node(
+              node.head(), node.parts().stream().map(part -> filled(part, frame)).toList());
+    }
+    return template;
   }
 }

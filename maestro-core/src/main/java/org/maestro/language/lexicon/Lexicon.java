@@ -57,6 +57,12 @@ public final class Lexicon implements WordEntries {
   /** A state: {@code (state lampOn applianceOn)}. */
   public static final String STATE = "State";
 
+  /** A state as it is said of what follows, in languages that tell both apart. */
+  public static final String STATE_FORM = "StateForm";
+
+  /** Whose something is, by his name, in languages that have a form for it. */
+  public static final String NAME_OWNING = "NameOwning";
+
   /** A script: {@code (script goodNight)}. */
   public static final String SCRIPT = "Script";
 
@@ -83,6 +89,8 @@ public final class Lexicon implements WordEntries {
           LOW,
           OPENING,
           STATE,
+          STATE_FORM,
+          NAME_OWNING,
           SCRIPT,
           NUMBER,
           TIME,
@@ -97,7 +105,9 @@ public final class Lexicon implements WordEntries {
 
   Lexicon(Map<List<String>, Map<String, List<Form>>> entries, Grammar grammar) {
     this.entries = entries;
-    this.numbers = new NumberWords(grammar.numbers(), grammar.times(), grammar.list("joining"));
+    this.numbers =
+        new NumberWords(
+            grammar.numbers(), grammar.times(), grammar.list("joining"), grammar.list("turning"));
     this.subordinating = grammar.list("subordinating");
     int most = LONGEST_NUMBER;
     for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
@@ -23,6 +24,7 @@ import org.maestro.sl.Term;
 public final class LexiconOfHome {
   private static final String PLURAL = "plural";
   private static final String POSITIVE = "positive";
+  private static final String ADJECTIVE_FORMS = "adjective-forms";
 
   private final Home home;
   private final Wording wording;
@@ -59,6 +61,10 @@ public final class LexiconOfHome {
       states.put(state.name(), state.says());
     }
     grouped(Lexicon.STATE, "state", states);
+    Map<String, List<Said>> attributes = new LinkedHashMap<>();
+    states.forEach(
+        (name, said) -> attributes.put(name, said.stream().flatMap(this::formsOf).toList()));
+    grouped(Lexicon.STATE_FORM, "state", attributes);
     return new Lexicon(entries, grammar);
   }
 
@@ -66,11 +72,36 @@ public final class LexiconOfHome {
   private void names() {
     Map<List<String>, List<Form>> byWords = new LinkedHashMap<>();
     for (String name : home.individuals().keySet()) {
-      for (List<String> words : named(name)) {
+      for (List<String> words : named(called(name))) {
         byWords.computeIfAbsent(words, w -> new ArrayList<>()).add(leaf(name));
       }
     }
-    byWords.forEach((words, same) -> enter(Lexicon.NAME, words, new Form("name", same)));
+    byWords.forEach(
+        (words, same) -> {
+          Form named = new Form("name", same);
+          enter(Lexicon.NAME, words, named);
+          forms("name-forms")
+              .forEach(form -> enter(Lexicon.NAME_OWNING, inflected(words, form), named));
+        });
+  }
+
+  private List<String> forms(String list) {
+    return grammar.list(list).stream().map(words -> words.get(0)).toList();
+  }
+
+  /** The words, and their other forms. */
+  private List<List<String>> withForms(String list, List<String> words) {
+    List<List<String>> all = new ArrayList<>(List.of(words));
+    forms(list).forEach(form -> all.add(inflected(words, form)));
+    return all;
+  }
+
+  private Stream<Said> formsOf(Said said) {
+    List<String> words = tokens.of(said.text());
+    return words.isEmpty()
+        ? Stream.of()
+        : forms(ADJECTIVE_FORMS).stream()
+            .map(form -> new Said(String.join(" ", inflected(words, form)), said.language()));
   }
 
   /** Of classes that are called the same the wider one is meant: what else is said narrows it. */
@@ -88,8 +119,10 @@ public final class LexiconOfHome {
                 .forEach(
                     name -> {
                       Form noun = Form.of("noun", leaf(name));
-                      enter(Lexicon.NOUN, words, noun);
-                      enter(Lexicon.NOUNS, plural(words), noun);
+                      withForms("noun-forms", words)
+                          .forEach(one -> enter(Lexicon.NOUN, one, noun));
+                      withForms("plural-forms", inflected(words, PLURAL))
+                          .forEach(several -> enter(Lexicon.NOUNS, several, noun));
                     }));
   }
 
@@ -140,19 +173,31 @@ public final class LexiconOfHome {
     }
   }
 
-  /** What it is called, with and without its article, and without its 's. */
+  /** What it is called, with and without its article, and without what tells whose it is. */
   private Set<List<String>> named(String name) {
+    return named(inLanguage(said(name)));
+  }
+
+  private List<Said> inLanguage(List<Said> all) {
+    return all.stream().filter(said -> said.isIn(grammar.language())).toList();
+  }
+
+  /** What a thing is called; as elsewhere, where it has no name in the language. */
+  private List<Said> called(String thing) {
+    List<Said> own = inLanguage(said(thing));
+    return own.isEmpty() ? said(thing).stream().limit(1).toList() : own;
+  }
+
+  private Set<List<String>> named(List<Said> called) {
     Set<List<String>> all = new LinkedHashSet<>();
-    for (Said said : said(name)) {
-      if (said.isIn(grammar.language())) {
-        List<String> words = tokens.of(said.text());
-        if (words.isEmpty()) {
-          continue;
-        }
+    for (Said said : called) {
+      List<String> words = tokens.of(said.text());
+      if (!words.isEmpty()) {
         List<String> bare = withoutArticle(words);
         all.add(words);
         all.add(bare);
-        List<String> compound = bare.stream().filter(word -> !word.equals("'s")).toList();
+        List<String> compound =
+            bare.stream().filter(word -> !grammar.list("owning").contains(List.of(word))).toList();
         if (compound.size() < bare.size()) {
           all.add(compound);
         }
@@ -167,11 +212,12 @@ public final class LexiconOfHome {
         : words;
   }
 
-  private List<String> plural(List<String> words) {
-    List<String> several = new ArrayList<>(words);
+  /** The last word takes the form. */
+  private List<String> inflected(List<String> words, String form) {
+    List<String> others = new ArrayList<>(words);
     int last = words.size() - 1;
-    several.set(last, grammar.inflection().of(words.get(last), PLURAL));
-    return List.copyOf(several);
+    others.set(last, grammar.inflection().of(words.get(last), form));
+    return List.copyOf(others);
   }
 
   private void adjectives() {
@@ -179,18 +225,21 @@ public final class LexiconOfHome {
       for (String predicate : wording.describing()) {
         for (Term value : individual.properties().getOrDefault(predicate, List.of())) {
           if (value instanceof Term.Text text) {
-            enter(
-                Lexicon.ADJECTIVE,
+            adjective(
                 tokens.of(text.value()),
                 Form.of("adj", leaf(predicate), leaf(text.value()), leaf("text")));
           } else if (value instanceof Term.Name name) {
-            enter(
-                Lexicon.ADJECTIVE,
-                name.text(),
-                Form.of("adj", leaf(predicate), leaf(name.text()), leaf("name")));
+            Form meant = Form.of("adj", leaf(predicate), leaf(name.text()), leaf("name"));
+            named(name.text()).forEach(words -> adjective(words, meant));
           }
         }
       }
+    }
+  }
+
+  private void adjective(List<String> words, Form form) {
+    if (!words.isEmpty()) {
+      withForms(ADJECTIVE_FORMS, words).forEach(one -> enter(Lexicon.ADJECTIVE, one, form));
     }
   }
 
@@ -199,14 +248,13 @@ public final class LexiconOfHome {
     Map<List<String>, List<Form>> byWords = new LinkedHashMap<>();
     names.forEach(
         (name, said) -> {
-          for (Said one : said) {
-            if (one.isIn(grammar.language())) {
-              List<String> words = tokens.of(one.text());
-              List<Form> same = byWords.computeIfAbsent(words, w -> new ArrayList<>());
-              if (!words.isEmpty() && !same.contains(leaf(name))) {
-                // What is called so first of all is meant first.
-                same.add(one.equals(said.get(0)) ? 0 : same.size(), leaf(name));
-              }
+          List<Said> own = inLanguage(said);
+          for (Said one : own) {
+            List<String> words = tokens.of(one.text());
+            List<Form> same = byWords.computeIfAbsent(words, w -> new ArrayList<>());
+            if (!words.isEmpty() && !same.contains(leaf(name))) {
+              // What is called so first of all is meant first.
+              same.add(one.equals(own.get(0)) ? 0 : same.size(), leaf(name));
             }
           }
         });

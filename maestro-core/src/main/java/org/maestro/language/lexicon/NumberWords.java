@@ -1,26 +1,37 @@
 package org.maestro.language.lexicon;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.regex.Pattern;
 
 /** Numbers in words and figures: twenty-five, two hundred and ten, 0.5. Immutable. */
 final class NumberWords {
+  private static final double TEN = 10;
   private static final Pattern FIGURES = Pattern.compile("-?\\d{1,12}([.,]\\d{1,6})?");
 
   private final Map<String, Double> values;
   private final Map<String, Double> times;
   private final Set<List<String>> joining;
+  private final Set<List<String>> turning;
 
   /**
    * @param joining words that stand between hundreds and the rest
+   * @param turning words that stand between ones and the tens after them, where numbers are written
+   *     as one word; none: they are not
    */
-  NumberWords(Map<String, Double> values, Map<String, Double> times, Set<List<String>> joining) {
+  NumberWords(
+      Map<String, Double> values,
+      Map<String, Double> times,
+      Set<List<String>> joining,
+      Set<List<String>> turning) {
     this.values = values;
     this.times = times;
     this.joining = joining;
+    this.turning = turning;
   }
 
   /** The number that these words are, all of them together. */
@@ -28,7 +39,59 @@ final class NumberWords {
     if (words.size() == 1 && FIGURES.matcher(words.get(0)).matches()) {
       return OptionalDouble.of(Double.parseDouble(words.get(0).replace(',', '.')));
     }
+    if (words.size() == 1 && !turning.isEmpty() && !isPart(words.get(0))) {
+      return parts(words.get(0)).map(this::inWords).orElse(OptionalDouble.empty());
+    }
     return words.isEmpty() ? OptionalDouble.empty() : inWords(words);
+  }
+
+  private boolean isPart(String word) {
+    return values.containsKey(word) || times.containsKey(word);
+  }
+
+  /** The words of which one is made; the tens before the ones. */
+  private Optional<List<String>> parts(String word) {
+    if (word.isEmpty()) {
+      return Optional.of(List.of());
+    }
+    for (int end = word.length(); end > 0; end--) {
+      String first = word.substring(0, end);
+      if (isPart(first)) {
+        Optional<List<String>> rest = parts(word.substring(end));
+        if (rest.isPresent() && !isTensBeforeOnes(first, rest.get())) {
+          return Optional.of(with(first, rest.get()));
+        }
+        Optional<List<String>> turned = turned(first, word.substring(end));
+        if (turned.isPresent()) {
+          return turned;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private boolean isTensBeforeOnes(String first, List<String> rest) {
+    return !rest.isEmpty()
+        && values.getOrDefault(first, 0.0) >= 2 * TEN
+        && values.getOrDefault(rest.get(0), TEN) < TEN;
+  }
+
+  /** Ones, a word that turns them, and tens. */
+  private Optional<List<String>> turned(String ones, String rest) {
+    double value = values.getOrDefault(ones, TEN);
+    return turning.stream()
+        .map(word -> word.get(0))
+        .filter(word -> value < TEN && rest.startsWith(word))
+        .map(word -> rest.substring(word.length()))
+        .filter(tens -> values.getOrDefault(tens, 0.0) >= 2 * TEN)
+        .map(tens -> List.of(tens, ones))
+        .findFirst();
+  }
+
+  private static List<String> with(String first, List<String> rest) {
+    List<String> all = new ArrayList<>(List.of(first));
+    all.addAll(rest);
+    return all;
   }
 
   private OptionalDouble inWords(List<String> words) {
@@ -49,6 +112,13 @@ final class NumberWords {
         }
         part += value;
         smallest = value;
+        isCounted = true;
+      } else if (factor != null && !isCounted && !turning.isEmpty()) {
+        // Where numbers are one word, a hundred may be one of them.
+        total = factor;
+        largestFactor = factor;
+        lastFactor = factor;
+        smallest = factor;
         isCounted = true;
       } else if (factor != null && isCounted && factor > largestFactor) {
         total = (total + part) * factor;

@@ -1,9 +1,11 @@
 package org.maestro.language.lexicon;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /** Takes texts apart into words as lexicon and grammar write them. Immutable. */
@@ -14,18 +16,32 @@ public final class Tokens {
   /** Longer words than any language has are cut; nobody means them. */
   private static final int LONGEST_WORD = 64;
 
+  private static final Comparator<String> LONGEST_FIRST =
+      Comparator.comparing(String::length).reversed().thenComparing(text -> text);
+
   private static final Pattern BLANKS = Pattern.compile("[\\s\\p{Cntrl}\\p{Cf}]+");
   private static final Pattern NUMBER_AND_UNIT = Pattern.compile("(?<=\\d)(?=[\\p{L}%°])");
   private static final Pattern ENDS = Pattern.compile("[.!?;:\"“”„()\\[\\]{}]+$");
   private static final Pattern BEGINNINGS = Pattern.compile("^[\"“”„(\\[{¿¡]+");
 
+  /** Stands in a spelling for what goes before an ending. */
+  private static final String BEGINNING = "~";
+
   private final Map<String, String> spellings;
+  private final Map<String, String> endings = new TreeMap<>(LONGEST_FIRST);
 
   /**
-   * @param spellings words that are written otherwise first
+   * @param spellings words that are written otherwise first; one that begins with ~ is the end of a
+   *     word, where ~ is the rest of it
    */
   public Tokens(Map<String, String> spellings) {
     this.spellings = Map.copyOf(spellings);
+    spellings.forEach(
+        (written, meant) -> {
+          if (written.startsWith(BEGINNING)) {
+            endings.put(written.substring(BEGINNING.length()), meant);
+          }
+        });
   }
 
   /** The words of a text, in small letters. */
@@ -77,17 +93,18 @@ public final class Tokens {
       words.addAll(List.of(other.split(" ")));
       return;
     }
-    if (word.endsWith("'s")) {
-      if (word.length() > 2) {
-        spelled(word.substring(0, word.length() - 2), words);
+    for (Map.Entry<String, String> ending : endings.entrySet()) {
+      String beginning = word.substring(0, Math.max(0, word.length() - ending.getKey().length()));
+      if (word.endsWith(ending.getKey()) && !beginning.isEmpty()) {
+        for (String part : ending.getValue().split(" ")) {
+          if (part.startsWith(BEGINNING)) {
+            spelled(part.replace(BEGINNING, beginning), words);
+          } else {
+            words.add(part);
+          }
+        }
+        return;
       }
-      words.add("'s");
-      return;
-    }
-    if (word.endsWith("s'") && word.length() > 2) {
-      words.add(word.substring(0, word.length() - 1));
-      words.add("'s");
-      return;
     }
     for (String part : NUMBER_AND_UNIT.split(word)) {
       String known = spellings.getOrDefault(part, part);

@@ -92,7 +92,16 @@ final class Acts {
       references.die();
       return Optional.empty();
     }
-    return new Acts(situation.spokenBy(name.text()), references, idle).command(act.part(1));
+    return new Acts(situation.spokenBy(name.text()), references, idle)
+        .command(withOwn(act.part(1)));
+  }
+
+  /** What somebody wishes as his is his own. */
+  private static Form withOwn(Form said) {
+    if (said.is("of") && said.part(0).is("him")) {
+      return Form.of("of", Form.leaf("speaker"), withOwn(said.part(1)));
+    }
+    return new Form(said.head(), said.parts().stream().map(Acts::withOwn).toList());
   }
 
   /** The message of a command. */

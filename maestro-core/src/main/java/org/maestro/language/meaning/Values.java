@@ -82,6 +82,8 @@ final class Values {
         return inDay(hours(clock) % NOON + NOON);
       case "half":
         return next(hours(clock) + HALF, now);
+      case "tohalf":
+        return next(hours(clock) - HALF, now);
       case "pastquarter":
         return next(hours(clock) + QUARTER, now);
       case "toquarter":
@@ -96,8 +98,10 @@ final class Values {
     return minuteOfDay(clock, OptionalInt.of(DAY - 1));
   }
 
+  /** Minutes of the hour, and of those that are said after it. */
   private static int hours(Form clock) {
-    return (int) Math.round(Double.parseDouble(clock.text(0)) * HOUR);
+    double more = clock.parts().size() > 1 ? Double.parseDouble(clock.text(1)) : 0;
+    return (int) Math.round(Double.parseDouble(clock.text(0)) * HOUR + more);
   }
 
   private static int time(String written) {

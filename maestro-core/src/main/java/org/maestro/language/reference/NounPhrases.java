@@ -13,7 +13,6 @@ import org.maestro.language.grammar.Form;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
-import org.maestro.ontology.wording.Said;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -30,6 +29,10 @@ public final class NounPhrases {
   private final Set<Term.Name> mentioned = new LinkedHashSet<>();
   private final Set<String> kinds = new LinkedHashSet<>();
   private final List<Term.Name> group = new ArrayList<>();
+
+  /** The class of those who are asked for as persons. */
+  private static final String PERSON = "Person";
+
   private final Map<Form, Map<String, Reference>> resolved = new HashMap<>();
   private int variables;
   private int supposed;
@@ -134,13 +137,9 @@ public final class NounPhrases {
     return all.isEmpty() ? new Reference.None(phrase) : together(all);
   }
 
-  /** The class of those for whom one asks with "who". */
+  /** The class of those who are asked for as persons. */
   public static Optional<String> persons(Home home) {
-    return home.wording().names().entrySet().stream()
-        .filter(entry -> home.vocabulary().classes().containsKey(entry.getKey()))
-        .filter(entry -> entry.getValue().stream().map(Said::text).anyMatch("who"::equals))
-        .map(Map.Entry::getKey)
-        .findFirst();
+    return Optional.of(PERSON).filter(home.vocabulary().classes()::containsKey);
   }
 
   private Reference person(Optional<String> who, Form phrase, String className) {

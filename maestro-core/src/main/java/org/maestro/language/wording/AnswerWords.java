@@ -2,7 +2,6 @@ package org.maestro.language.wording;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
@@ -61,7 +60,7 @@ public final class AnswerWords {
     long certain = answers.stream().filter(one -> one.truth() == Truth.TRUE).count();
     return grammar
         .phrase(whole ? "answer-count" : "answer-count-known")
-        .replace("{number}", capitalized(number(certain)));
+        .replace("{number}", Phrases.capitalized(number(certain)));
   }
 
   private String sentence(List<String> values, int more) {
@@ -70,7 +69,7 @@ public final class AnswerWords {
       all.add(grammar.phrase("answer-more").replace("{number}", number(more)));
     }
     int last = all.size() - 1;
-    return capitalized(
+    return Phrases.capitalized(
             last == 0
                 ? all.get(0)
                 : grammar
@@ -86,7 +85,8 @@ public final class AnswerWords {
 
   private String value(String text) {
     try {
-      return SlPrinter.print(Math.round(Double.parseDouble(text) * HUNDRED) / HUNDRED);
+      return SlPrinter.print(Math.round(Double.parseDouble(text) * HUNDRED) / HUNDRED)
+          .replace(".", grammar.phrase("decimal-mark"));
     } catch (NumberFormatException e) {
       return naming.word(text);
     }
@@ -115,11 +115,5 @@ public final class AnswerWords {
         .map(Map.Entry::getKey)
         .findFirst()
         .orElse(String.valueOf(number));
-  }
-
-  private static String capitalized(String text) {
-    return text.isEmpty()
-        ? text
-        : text.substring(0, 1).toUpperCase(Locale.ROOT) + text.substring(1);
   }
 }

@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
@@ -24,29 +22,35 @@ import org.maestro.sl.Truth;
 
 /** What is asked back, or said instead, when something stays in doubt. */
 public final class QuestionsBack {
-  private static final Pattern PLACE = Pattern.compile("\\{(\\w+)}");
-
   private final Situation situation;
   private final Grammar grammar;
   private final Naming naming;
+  private final Phrases phrases;
 
   public QuestionsBack(Situation situation, Grammar grammar) {
     this.situation = situation;
     this.grammar = grammar;
     this.naming = new Naming(situation.home(), grammar);
+    this.phrases = new Phrases(grammar);
   }
 
   /** The sentence for a doubt. */
   public String of(Doubt doubt) {
+    return Phrases.capitalized(sentence(doubt));
+  }
+
+  private String sentence(Doubt doubt) {
     if (doubt instanceof Doubt.Which which) {
       return which(which);
     } else if (doubt instanceof Doubt.Missing missing) {
       return missing(missing);
     } else if (doubt instanceof Doubt.NoSuch none) {
-      return filled(grammar.phrase("none"), Map.of("what", said(none.said()).strip()));
+      return isPronoun(none.said())
+          ? grammar.phrase("none-meant")
+          : phrases.of("none", Map.of("what", named(none.said())));
     } else if (doubt instanceof Doubt.NotKnown unknown) {
-      return filled(
-          grammar.phrase("not-known"),
+      return phrases.of(
+          "not-known",
           Map.of(
               "what", naming.word(unknown.fluent().name()),
               "whose",
@@ -54,8 +58,8 @@ public final class QuestionsBack {
                       .map(naming::of)
                       .collect(Collectors.joining(" "))));
     } else if (doubt instanceof Doubt.LeftOut leftOut) {
-      return filled(
-          grammar.phrase("without"),
+      return phrases.of(
+          "without",
           Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
     } else if (doubt instanceof Doubt.Confirm) {
       return grammar.phrase("confirm");
@@ -77,11 +81,12 @@ public final class QuestionsBack {
             .distinct()
             .toList();
     List<String> names = different.stream().map(naming::of).distinct().toList();
-    return names.size() == 2 ? betweenNames(names) : ofKinds(kinds(different));
+    return names.size() == 2 ? betweenNames(names) : Phrases.capitalized(ofKinds(kinds(different)));
   }
 
   private String betweenNames(List<String> two) {
-    return filled(grammar.phrase("which-name"), Map.of("first", two.get(0), "last", two.get(1)));
+    return Phrases.capitalized(
+        phrases.of("which-name", Map.of("first", two.get(0), "last", two.get(1))));
   }
 
   private List<String> kinds(List<Term.Name> candidates) {
@@ -90,7 +95,7 @@ public final class QuestionsBack {
 
   private String ofKinds(List<String> kinds) {
     return kinds.size() == 2
-        ? filled(grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
+        ? phrases.of("which-kind", Map.of("first", kinds.get(0), "last", kinds.get(1)))
         : grammar.phrase("ambiguous");
   }
 
@@ -98,20 +103,20 @@ public final class QuestionsBack {
     return missing.role().questions().stream()
         .filter(question -> question.isIn(grammar.language()))
         .map(Said::text)
-        .map(text -> filled(text, rolesOf(missing.construction())))
+        .map(text -> phrases.filled(text, rolesOf(missing.construction())))
         .findFirst()
-        .orElseGet(() -> filled(grammar.phrase("missing"), Map.of("role", missing.role().name())));
+        .orElseGet(() -> phrases.of("missing", Map.of("role", missing.role().name())));
   }
 
-  private static Map<String, String> rolesOf(Construction construction) {
+  private Map<String, String> rolesOf(Construction construction) {
     return construction.roles().stream()
-        .collect(Collectors.toMap(Construction.Role::name, role -> "it", (a, b) -> a));
-  }
-
-  private static String filled(String phrase, Map<String, String> values) {
-    Matcher places = PLACE.matcher(phrase);
-    return places.replaceAll(
-        found -> Matcher.quoteReplacement(values.getOrDefault(found.group(1), found.group(0))));
+        .collect(
+            Collectors.toMap(
+                Construction.Role::name,
+                role ->
+                    grammar.phrase(
+                        role.type().equals(Construction.Role.RELATION) ? "role-where" : "role"),
+                (a, b) -> a));
   }
 
   private String which(Doubt.Which doubt) {
@@ -126,29 +131,30 @@ public final class QuestionsBack {
     }
     if (names.size() < candidates.size() && byPlace(candidates).isEmpty()) {
       List<String> kinds = kinds(candidates);
-      return kinds.size() == 2
-          ? ofKinds(kinds)
-          : filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+      return kinds.size() == 2 ? ofKinds(kinds) : phrases.of("which-of-many", Map.of("kind", kind));
     }
     List<String> choices =
         names.size() == candidates.size() ? names : byPlace(candidates).orElse(names);
     if (choices.size() > 4) {
-      return filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+      return phrases.of("which-of-many", Map.of("kind", kind));
     }
     String last = choices.get(choices.size() - 1);
     String first = String.join(", ", choices.subList(0, choices.size() - 1));
-    return filled(grammar.phrase("which"), Map.of("kind", kind, "first", first, "last", last));
+    return phrases.of("which", Map.of("kind", kind, "first", first, "last", last));
   }
 
   /** The class that was said. */
   private Optional<String> noun(Form said) {
     return said.is("noun")
-        ? Optional.of(naming.bare(said.text(0)))
+        ? Optional.of(naming.word(said.text(0)))
         : said.parts().stream().map(this::noun).flatMap(Optional::stream).findFirst();
   }
 
   /** Things by where they are, the one on the table, where that tells them apart. */
   private Optional<List<String>> byPlace(List<Term.Name> things) {
+    String kind = things.stream().findFirst().flatMap(naming::kind).orElse("");
+    String article = phrases.article(kind);
+    String instead = article.isEmpty() ? kind : article;
     for (Map.Entry<String, List<Said>> entry :
         situation.home().wording().prepositions().entrySet()) {
       Optional<String> word =
@@ -172,9 +178,9 @@ public final class QuestionsBack {
             places.stream()
                 .map(
                     place ->
-                        filled(
-                            grammar.phrase("one-at"),
-                            Map.of("preposition", word.get(), "place", place)))
+                        phrases.of(
+                            "one-at",
+                            Map.of("one", instead, "preposition", word.get(), "place", place)))
                 .toList());
       }
     }
@@ -195,21 +201,67 @@ public final class QuestionsBack {
         == Truth.TRUE;
   }
 
+  private static boolean isPronoun(Form form) {
+    return form.is("it") || form.is("them") || form.is("him");
+  }
+
+  /** What was said, with the article of what it is. */
+  private String named(Form form) {
+    String article = phrases.article(called(form));
+    return article.isEmpty() ? said(form) : article + " " + said(form);
+  }
+
   /** What was said, as far as it has names. */
   private String said(Form form) {
     return switch (form.head()) {
       case "noun", "name" -> naming.bare(form.text(0));
+      case "one" -> latestKind().map(naming::bare).orElse(grammar.phrase("it"));
       case "np" -> said(form.part(form.parts().size() - 1));
       case "mod" -> form.part(0).text(1) + " " + said(form.part(1));
+      case "instate" -> inState(form.part(0)) + said(form.part(1));
       case "at" -> said(form.part(0)) + " " + said(form.part(1));
       case "rel", "from" -> grammar.phrase("there");
       case "any" -> "";
       case "it", "them", "him" -> grammar.phrase("it");
-      case "beside", "of" -> said(form.part(0)) + " " + said(form.part(1));
-      default ->
-          form.parts().isEmpty()
-              ? naming.word(form.head())
-              : said(form.part(form.parts().size() - 1));
+      case "beside" -> said(form.part(0)) + " " + said(form.part(1));
+      case "of" ->
+          form.part(0).parts().isEmpty()
+              ? said(form.part(1))
+              : phrases.of(
+                  "owned", Map.of("whose", said(form.part(0)), "what", said(form.part(1))));
+      default -> form.parts().isEmpty() ? naming.word(form.head()) : said(form.part(form.parts().size() - 1));
     };
+  }
+
+  /** The name of what was said to be like that, or there; "" when it has none. */
+  private String called(Form form) {
+    if (form.is("of") || form.is("beside")) {
+      return called(form.part(1));
+    }
+    if (form.is("one")) {
+      return latestKind().map(naming::word).orElse("");
+    }
+    return form.is("noun") || form.is("name")
+        ? naming.word(form.text(0))
+        : form.parts().stream()
+            .map(this::called)
+            .filter(name -> !name.isEmpty())
+            .findFirst()
+            .orElse("");
+  }
+
+  /** The class that was spoken of last. */
+  private Optional<String> latestKind() {
+    return situation.discourse().classes().stream().findFirst();
+  }
+
+  private String inState(Form state) {
+    return situation.home().wording().states().stream()
+        .filter(word -> word.name().equals(state.text(0)))
+        .flatMap(word -> word.says().stream())
+        .filter(said -> said.isIn(grammar.language()))
+        .map(said -> said.text() + " ")
+        .findFirst()
+        .orElse("");
   }
 }

@@ -44,6 +44,20 @@ class GrammarReaderTest {
   }
 
   @Test
+  void aPatternIsARuleOfWhichConstructionsMakeTheirs() {
+    Grammar grammar =
+        read("pattern Vp = VERB.base REST PARTICLE", "pattern Act = nicht REST VERB -> (no FRAME)");
+
+    assertThat(grammar.rules()).isEmpty();
+    assertThat(grammar.patterns())
+        .extracting(GrammarReaderTest::written)
+        .containsExactly("Vp [VERB.base, REST, PARTICLE]", "Act [nicht, REST, VERB]");
+    assertThat(grammar.patterns())
+        .extracting(pattern -> pattern.template().toString())
+        .allMatch(template -> template.contains(ConstructionPlaces.FRAME));
+  }
+
+  @Test
   void aRuleHasItsSymbolsAndItsLabels() {
     Rule rule = read("Act = bring o:Thing to w:Who -> (do (bring o w))").rules().get(0);
 
@@ -156,6 +170,7 @@ class GrammarReaderTest {
         "ending plural y$ $ | $ names no group of y$ | write $1",
         "irregular plural = mouse | mouse is no pair of words | write put put",
         "irregular plural = | has nothing beside its = | what it is",
+        "pattern go | is no pattern | write one such as pattern Vp = VERB REST",
         "verb go | begins with verb | write a rule such as",
       })
   void whatCannotBeReadIsToldWithItsLineAndItsCure(String line, String cause, String cure) {

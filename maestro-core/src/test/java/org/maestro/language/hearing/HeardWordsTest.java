@@ -44,6 +44,8 @@ class HeardWordsTest {
           Utterance = a:Act
           Act = bring n:Np -> (bring n)
           Act = bring n:Np to p:Np -> (bring n p)
+          Act = hand n:Np over -> (hand n)
+          Np = a:Np , b:Np -> (and a b)
           Act = tell n:Np that t:Text -> (tell n t)
           Np = n:Name
           Text = a:Any
@@ -107,6 +109,23 @@ class HeardWordsTest {
     assertThat(heard.withdrawn()).containsExactly("the", "teacup");
     assertThat(fates(heard, Heard.Fate.REPAIR)).containsExactly("no");
     assertThat(heard.chart().words()).containsExactly("bring", "the", "saucer", "to", "ann");
+  }
+
+  @Test
+  void whatIsCorrectedIsNoListWithWhatItWas() {
+    assertThat(forms(heard("bring the teacup, the saucer")))
+        .containsExactly("(bring (and (name cup) (name saucer)))");
+    assertThat(forms(heard("bring the teacup, no, the saucer")))
+        .containsExactly("(bring (name saucer))");
+  }
+
+  @Test
+  void whatWasSaidAfterWhatIsCorrectedCountsStill() {
+    assertThat(forms(heard("hand the teacup over, no, the saucer")))
+        .containsExactly("(hand (name saucer))");
+    assertThat(forms(heard("hand the teacup, no, the saucer over")))
+        .containsExactly("(hand (name saucer))");
+    assertThat(forms(heard("hand the teacup, no, the saucer"))).isEmpty();
   }
 
   @Test
@@ -197,6 +216,6 @@ class HeardWordsTest {
   @Test
   void wordsOfAGrammarAreThoseOfItsRulesAndNumbers() {
     assertThat(HeardWords.wordsOf(GRAMMAR))
-        .containsExactlyInAnyOrder("bring", "to", "tell", "that", "three");
+        .containsExactlyInAnyOrder("bring", "hand", "over", ",", "to", "tell", "that", "three");
   }
 }

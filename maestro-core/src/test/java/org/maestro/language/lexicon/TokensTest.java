@@ -9,7 +9,18 @@ import org.junit.jupiter.api.Test;
 /** Texts are taken apart into words, whatever stands in them. */
 class TokensTest {
   private static final Tokens TOKENS =
-      new Tokens(Map.of("can't", "can not", "%", "percent", "°c", "degrees celsius"));
+      new Tokens(
+          Map.of(
+              "can't",
+              "can not",
+              "%",
+              "percent",
+              "°c",
+              "degrees celsius",
+              "~'s",
+              "~ 's",
+              "~s'",
+              "~s 's"));
 
   private static List<String> of(String text) {
     return TOKENS.of(text);

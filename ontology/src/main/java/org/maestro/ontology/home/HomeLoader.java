@@ -27,7 +27,8 @@ public final class HomeLoader {
 
   private static final String META_RESOURCE = "maestro.ttl";
   private static final String DOMAIN_RESOURCE = "domain.ttl";
-  private static final List<String> HOUSEHOLD_RESOURCES = List.of("household.ttl", "words-en.ttl");
+  private static final List<String> HOUSEHOLD_RESOURCES =
+      List.of("household.ttl", "words-en.ttl", "words-de.ttl");
   private static final String SHAPES_RESOURCE = "shapes.ttl";
   private static final String USUAL_RESOURCE = "usual.ttl";
   private static final List<String> ALIGNMENTS =

@@ -73,7 +73,7 @@ final class HomeReader {
     return home;
   }
 
-  /** The scripts of the text, whose names are neither things' nor words'. */
+  /** The scripts of the text, whose names are neither things' nor words', and the shipped ones. */
   private Map<String, Node> scripts(Map<String, Node> things) {
     Map<String, Node> taken = new TreeMap<>(things);
     Map<String, Node> scripts = new TreeMap<>();
@@ -83,6 +83,9 @@ final class HomeReader {
         scripts.put(Literals.name(subject), subject);
       }
     }
+    graph
+        .subjects(RDF.type.asNode(), Maestro.term("Script"))
+        .forEach(shipped -> scripts.putIfAbsent(Literals.name(shipped), shipped));
     return scripts;
   }
 

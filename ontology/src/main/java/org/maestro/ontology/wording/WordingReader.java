@@ -1,12 +1,14 @@
 package org.maestro.ontology.wording;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -47,6 +49,7 @@ public final class WordingReader {
 
   /** The words of all that the graph speaks of. */
   public Wording read() {
+    Map<String, String> languages = new TreeMap<>();
     Map<String, List<Said>> names = new TreeMap<>();
     Map<String, List<Said>> prepositions = new TreeMap<>();
     Set<String> describing = new TreeSet<>();
@@ -58,6 +61,9 @@ public final class WordingReader {
         continue;
       }
       String name = Literals.name(subject);
+      literals
+          .text(subject, "language")
+          .ifPresent(tag -> languages.put(isA(graph, subject, "Home") ? Wording.HOME : name, tag));
       if (isA(graph, subject, "State")) {
         state(subject).ifPresent(states::add);
       } else if (isA(graph, subject, "Construction")) {
@@ -80,7 +86,7 @@ public final class WordingReader {
         }
       }
     }
-    return new Wording(names, prepositions, describing, measures, states, constructions);
+    return new Wording(languages, names, prepositions, describing, measures, states, constructions);
   }
 
   private Measure measure(Node node, String fluent) {
@@ -136,8 +142,7 @@ public final class WordingReader {
 
   private Optional<Construction> construction(Node node) {
     Predicate<String> fluents = vocabulary::isFluent;
-    List<Construction.Role> roles =
-        graph.objects(node, Maestro.term("role")).stream().map(this::role).toList();
+    List<Construction.Role> roles = roles(node);
     Optional<Content> means =
         literals.parsed(node, "means", text -> SlParser.content(text, fluents).get(0));
     Optional<Formula> holds =
@@ -182,15 +187,32 @@ public final class WordingReader {
     }
   }
 
-  private Construction.Role role(Node node) {
-    String type = literals.text(node, "type").orElse("Thing");
+  /**
+   * What is said of a role in several places, such as its questions in another language, is one.
+   */
+  private List<Construction.Role> roles(Node construction) {
+    Map<String, List<Node>> byName = new LinkedHashMap<>();
+    for (Node role : graph.objects(construction, Maestro.term("role"))) {
+      String name = literals.text(role, "name").orElse("");
+      byName.computeIfAbsent(name, n -> new ArrayList<>()).add(role);
+    }
+    List<Construction.Role> roles = new ArrayList<>();
+    byName.forEach((name, nodes) -> roles.add(role(name, nodes)));
+    return roles;
+  }
+
+  private Construction.Role role(String name, List<Node> nodes) {
     return new Construction.Role(
-        literals.text(node, "name").orElse(""),
-        type,
-        literals.text(node, "relates"),
-        said(node, Maestro.term("question")),
-        literals.flag(node, "optional"),
-        literals.parsed(node, "usually", WordingReader::value));
+        name,
+        first(nodes, node -> literals.text(node, "type")).orElse("Thing"),
+        first(nodes, node -> literals.text(node, "relates")),
+        nodes.stream().flatMap(node -> said(node, Maestro.term("question")).stream()).toList(),
+        nodes.stream().anyMatch(node -> literals.flag(node, "optional")),
+        first(nodes, node -> literals.parsed(node, "usually", WordingReader::value)));
+  }
+
+  private static <T> Optional<T> first(List<Node> nodes, Function<Node, Optional<T>> value) {
+    return nodes.stream().map(value).flatMap(Optional::stream).findFirst();
   }
 
   private static Term value(String text) {

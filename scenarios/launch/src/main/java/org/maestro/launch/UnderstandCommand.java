@@ -16,6 +16,7 @@ import org.maestro.language.reference.Situation;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Facts;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -61,6 +62,8 @@ final class UnderstandCommand implements Callable<Integer> {
       defaultValue = "18:05")
   private String time;
 
+  @Mixin private SpokenLanguage spoken;
+
   @Option(
       names = "--file",
       paramLabel = "FILE.tsv",
@@ -82,18 +85,20 @@ final class UnderstandCommand implements Callable<Integer> {
     }
     Home there = Shipped.home(home);
     Facts facts = SceneFacts.of(there, scene.map(name -> Shipped.scene(name, there)));
-    Language language = Language.of(there, "en");
     UnderstoodText text = new UnderstoodText();
     PrintWriter out = spec.commandLine().getOut();
     List<String> lines =
         file.map(UnderstandCommand::lines).orElseGet(() -> List.of(words.orElseThrow()));
     for (String line : lines) {
       String[] columns = line.split("\t", -1);
+      Optional<String> said =
+          column(columns, 1).or(() -> speaker).map(name -> individual(there, name));
+      Language language = spoken.of(there, said);
       Situation situation =
           new Situation(
               there,
               facts,
-              column(columns, 1).or(() -> speaker).map(name -> individual(there, name)),
+              said,
               column(columns, 2).or(() -> room).map(name -> individual(there, name)),
               robot.map(name -> individual(there, name)),
               minuteOfDay(),

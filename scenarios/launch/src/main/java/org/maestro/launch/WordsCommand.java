@@ -4,8 +4,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.maestro.language.Language;
+import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,8 +27,13 @@ final class WordsCommand implements Callable<Integer> {
 
   @Option(
       names = "--language",
-      description = "List how all in a home is called by people; with a home.")
-  private boolean language;
+      arity = "0..1",
+      paramLabel = "TAG",
+      fallbackValue = "",
+      description =
+          "List how all in a home is called by people, in a language: en, de, or a grammar's file;"
+              + " that of the home unless stated. With a home.")
+  private Optional<String> language = Optional.empty();
 
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
@@ -35,7 +41,7 @@ final class WordsCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     PrintWriter out = spec.commandLine().getOut();
-    if (language) {
+    if (language.isPresent()) {
       if (json) {
         throw CommandException.badInput("--language prints no JSON; leave --json out.");
       }
@@ -62,7 +68,8 @@ final class WordsCommand implements Callable<Integer> {
 
   private void printLexicon(PrintWriter out) {
     List<List<String>> rows = new ArrayList<>();
-    Language.of(words.home(), "en")
+    Home home = words.home();
+    SpokenLanguage.of(home, language.filter(tag -> !tag.isEmpty()), Optional.empty())
         .lexicon()
         .listed()
         .forEach(

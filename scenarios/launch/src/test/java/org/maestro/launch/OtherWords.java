@@ -187,6 +187,7 @@ final class OtherWords {
                         said(one.less(), text),
                         said(one.asked(), text))));
     return new Wording(
+        wording.languages(),
         said(wording.names(), text),
         said(wording.prepositions(), text),
         wording.describing(),

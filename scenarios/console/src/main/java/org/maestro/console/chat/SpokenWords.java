@@ -34,7 +34,6 @@ import org.maestro.sl.Truth;
  * may ask.
  */
 final class SpokenWords {
-  private static final String ENGLISH = "en";
   private static final String LOCATION = "Location";
   private static final int MINUTES_OF_HOUR = 60;
 
@@ -43,9 +42,10 @@ final class SpokenWords {
   private final Supplier<Instant> now;
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
+  private String person = "";
 
   /** The language of a home as it was. */
-  private record Spoken(Home home, Language language) {}
+  private record Spoken(Home home, String tag, Language language) {}
 
   /**
    * The words of a home.
@@ -71,8 +71,10 @@ final class SpokenWords {
   /** What is meant. */
   synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
+    person = utterance.person();
     Understanding understood =
-        language(there).understand(utterance.text(), situation(there, utterance));
+        language(there, utterance.person())
+            .understand(utterance.text(), situation(there, utterance));
     Optional<Reading> reading =
         understood
             .message()
@@ -123,7 +125,7 @@ final class SpokenWords {
 
   private AnswerWords answers() {
     Home there = home.get();
-    return new AnswerWords(there, language(there).grammar());
+    return new AnswerWords(there, language(there, person).grammar());
   }
 
   private static List<AnswerWords.Found> found(JsonNode document) {
@@ -149,11 +151,12 @@ final class SpokenWords {
 
   /** A home that changes is another one: what is in it need not be compared. */
   @SuppressWarnings("ReferenceEquality")
-  private Language language(Home there) {
+  private Language language(Home there, String person) {
+    String tag = Language.spoken(there, Optional.of(person));
     Spoken known =
         spoken
-            .filter(one -> one.home() == there)
-            .orElseGet(() -> new Spoken(there, Language.of(there, ENGLISH)));
+            .filter(one -> one.home() == there && one.tag().equals(tag))
+            .orElseGet(() -> new Spoken(there, tag, Language.of(there, tag)));
     spoken = Optional.of(known);
     return known.language();
   }

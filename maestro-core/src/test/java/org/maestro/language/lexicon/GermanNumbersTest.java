@@ -1,0 +1,80 @@
+package org.maestro.language.lexicon;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.language.Language;
+import org.maestro.language.chart.WordEntries;
+import org.maestro.language.grammar.GrammarReader;
+
+/** Numbers that are written as one word, the ones before the tens. */
+class GermanNumbersTest {
+  private static Lexicon lexicon;
+
+  @BeforeAll
+  static void read() throws IOException {
+    try (InputStream stream = Language.class.getResourceAsStream("de.grammar")) {
+      String text = new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+      lexicon = new Lexicon(Map.of(), GrammarReader.read(text, "de.grammar"));
+    }
+  }
+
+  private static List<String> values(String word) {
+    return lexicon.endingWith(List.of(word)).stream()
+        .filter(entry -> entry.category().equals(Lexicon.NUMBER))
+        .map(WordEntries.Entry::meaning)
+        .map(Object::toString)
+        .toList();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "null | 0",
+        "eins | 1",
+        "zwölf | 12",
+        "sechzehn | 16",
+        "einundzwanzig | 21",
+        "siebenunddreißig | 37",
+        "hundert | 100",
+        "hundertfünf | 105",
+        "zweihundert | 200",
+        "zweihundertzehn | 210",
+        "dreihundertfünfundvierzig | 345",
+        "tausend | 1000",
+        "zweitausendfünfhundert | 2500",
+        "einhundertfünfzigtausend | 150000",
+        "21,5 | 21.5",
+      })
+  void aNumberIsWhatItsPartsAre(String word, String value) {
+    assertThat(values(word)).containsExactly(value);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "zwanzigeins",
+        "fünfsechs",
+        "zehnundfünf",
+        "und",
+        "undzwanzig",
+        "einund",
+        "einundzehn",
+        "einundzwanzigste",
+        "lampe",
+        "achtlampe"
+      })
+  void whatIsNotOneNumberIsNone(String word) {
+    assertThat(values(word)).isEmpty();
+    assertThat(lexicon.knows(word)).isFalse();
+  }
+}
