@@ -119,8 +119,7 @@ public final class LexiconOfHome {
                 .forEach(
                     name -> {
                       Form noun = Form.of("noun", leaf(name));
-                      withForms("noun-forms", words)
-                          .forEach(one -> enter(Lexicon.NOUN, one, noun));
+                      withForms("noun-forms", words).forEach(one -> enter(Lexicon.NOUN, one, noun));
                       withForms("plural-forms", inflected(words, PLURAL))
                           .forEach(several -> enter(Lexicon.NOUNS, several, noun));
                     }));

@@ -59,8 +59,7 @@ public final class QuestionsBack {
                       .collect(Collectors.joining(" "))));
     } else if (doubt instanceof Doubt.LeftOut leftOut) {
       return phrases.of(
-          "without",
-          Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
+          "without", Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
     } else if (doubt instanceof Doubt.Confirm) {
       return grammar.phrase("confirm");
     }
@@ -229,7 +228,10 @@ public final class QuestionsBack {
               ? said(form.part(1))
               : phrases.of(
                   "owned", Map.of("whose", said(form.part(0)), "what", said(form.part(1))));
-      default -> form.parts().isEmpty() ? naming.word(form.head()) : said(form.part(form.parts().size() - 1));
+      default ->
+          form.parts().isEmpty()
+              ? naming.word(form.head())
+              : said(form.part(form.parts().size() - 1));
     };
   }
 
