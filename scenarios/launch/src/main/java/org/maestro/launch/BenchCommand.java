@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, losses, noise, "
+        "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, language, losses, noise, "
             + "openings, planner, running, scripts, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
@@ -91,7 +91,7 @@ final class BenchCommand implements Callable<Integer> {
       names = "--runs",
       paramLabel = "N",
       description =
-          "How often losses and cancel have each happen, openings opens, and noise says each"
+          "How often losses and cancel have each happen, openings opens, and noise and language say each"
               + " utterance; once unless it is said.")
   private int runs = 1;
 
@@ -223,6 +223,7 @@ final class BenchCommand implements Callable<Integer> {
         "growth",
         (wanted, progress) ->
             new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress).run());
+    benches.put("language", (wanted, progress) -> WordsBenches.language(wanted.runs(), progress));
     benches.put(
         "losses",
         (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import org.maestro.bench.BenchReport;
+import org.maestro.bench.words.LanguageBench;
 import org.maestro.bench.words.NoiseBench;
 import org.maestro.bench.words.SaidLine;
 import org.maestro.language.Language;
@@ -17,9 +18,24 @@ import org.maestro.sl.Facts;
 /** The benchmarks of words, in the evening's house at five past six. */
 final class WordsBenches {
   private static final int MINUTE_OF_DAY = 18 * 60 + 5;
+  private static final int THINGS = 1_000;
+  private static final int TITLES = 10_000;
+  private static final int TIMES = 5;
   private static final String ROBOT = "rob";
 
   private WordsBenches() {}
+
+  /** How fast words are understood among many names. */
+  static BenchReport language(int runs, Consumer<String> progress) {
+    return new LanguageBench(
+            Shipped.text("/homes/evening.ttl").orElseThrow(),
+            home -> SceneFacts.of(home, Optional.of(Shipped.scene("evening", home))),
+            THINGS,
+            TITLES,
+            TIMES * runs,
+            progress)
+        .run();
+  }
 
   /** What becomes of the file's utterances with noise in them. */
   static BenchReport noise(Path file, int times, long seed, Consumer<String> progress) {

@@ -1,10 +1,5 @@
 package org.maestro.bench.words;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -188,20 +183,9 @@ public final class NoiseBench {
     Set<String> words = new HashSet<>(language.lexicon().words());
     words.addAll(HeardWords.wordsOf(language.grammar()));
     language.grammar().lists().values().forEach(list -> list.forEach(words::addAll));
-    words.addAll(common());
+    words.addAll(List.of(WordFiles.text("common.txt").strip().split("\\s+")));
     IntStream.range(0, FIGURES).mapToObj(Integer::toString).forEach(words::add);
     words.remove(Tokens.CUT_OFF);
-    return words;
-  }
-
-  private static List<String> common() {
-    List<String> words = new ArrayList<>();
-    try (InputStream stream = NoiseBench.class.getResourceAsStream("common.txt")) {
-      String text = new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-      words.addAll(List.of(text.strip().split("\\s+")));
-    } catch (IOException e) {
-      throw new UncheckedIOException("The list of common words cannot be read.", e);
-    }
     return words;
   }
 }
