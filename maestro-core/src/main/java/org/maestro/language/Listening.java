@@ -29,6 +29,7 @@ public final class Listening {
   private final Grammar grammar;
   private final HeardWords words;
   private Situation situation;
+  private Interpreter interpreter;
   private final List<Understanding.Begun> began = new ArrayList<>();
   private int repairs;
   private Optional<Meaning> lastSaid = Optional.empty();
@@ -37,6 +38,7 @@ public final class Listening {
     this.grammar = grammar;
     this.words = words;
     this.situation = situation;
+    this.interpreter = interpreter();
   }
 
   /** Takes the next word. */
@@ -47,6 +49,7 @@ public final class Listening {
       // What is taken back was spoken of all the same.
       lastSaid.ifPresent(
           said -> situation = situation.after(Understanding.spokenOf(said, situation.discourse())));
+      interpreter = interpreter();
       began.clear();
     }
     List<Meaning> now = soFar();
@@ -71,7 +74,7 @@ public final class Listening {
 
   /** What was said so far may mean, if it ended here; the best first. */
   public List<Meaning> soFar() {
-    return preferred(interpreter().of(words.readings()));
+    return preferred(interpreter.of(words.readings()));
   }
 
   private Interpreter interpreter() {
@@ -134,7 +137,7 @@ public final class Listening {
         words.chart().begun("frame").stream()
             .filter(reading -> !isLackingMore(reading.form()))
             .toList();
-    return interpreter().of(lacking).stream()
+    return interpreter.of(lacking).stream()
         .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
         .toList();
   }

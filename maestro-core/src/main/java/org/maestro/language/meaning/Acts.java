@@ -33,8 +33,8 @@ final class Acts {
     this.questions = new Questions(situation, references, states, measures, this);
   }
 
-  static Acts in(Situation situation, Set<String> idle) {
-    return new Acts(situation, new References(new NounPhrases(situation)), idle);
+  static Acts in(Situation situation, NounPhrases phrases, Set<String> idle) {
+    return new Acts(situation, new References(phrases), idle);
   }
 
   References references() {

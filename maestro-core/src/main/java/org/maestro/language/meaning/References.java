@@ -13,6 +13,9 @@ import org.maestro.sl.Term;
 
 /** Notes, for one reading, which references are broken, and what follows for formulas. */
 final class References {
+  /** Of so many things nobody means the one of which something is not so yet. */
+  private static final int MANY = 100;
+
   private final NounPhrases phrases;
   private final List<Doubt> doubts = new ArrayList<>();
   private int broken;
@@ -103,7 +106,7 @@ final class References {
   /** What is so already is not asked for: of several candidates the only one of which it is not. */
   private Optional<Formula> unlessSoAlready(
       Reference.Open open, Function<Term, Optional<Formula>> said) {
-    if (!wished) {
+    if (!wished || open.candidates().size() > MANY) {
       return broken(open);
     }
     List<Formula> lacking = new ArrayList<>();

@@ -24,16 +24,21 @@ import org.maestro.sl.Truth;
 
 /** What is asked back, or said instead, when something stays in doubt. */
 public final class QuestionsBack {
+  /** Of more things nobody wants to hear the names. */
+  private static final int CHOICES = 4;
+
   private static final Pattern PLACE = Pattern.compile("\\{(\\w+)}");
 
   private final Situation situation;
   private final Grammar grammar;
   private final Naming naming;
+  private final Relations relations;
 
   public QuestionsBack(Situation situation, Grammar grammar) {
     this.situation = situation;
     this.grammar = grammar;
     this.naming = new Naming(situation.home(), grammar);
+    this.relations = new Relations(situation);
   }
 
   /** The sentence for a doubt. */
@@ -123,7 +128,7 @@ public final class QuestionsBack {
     }
     List<String> choices =
         names.size() == candidates.size() ? names : byPlace(candidates).orElse(names);
-    if (choices.size() > 4) {
+    if (choices.size() > CHOICES) {
       return filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
     }
     String last = choices.get(choices.size() - 1);
@@ -140,6 +145,9 @@ public final class QuestionsBack {
 
   /** Things by where they are, the one on the table, where that tells them apart. */
   private Optional<List<String>> byPlace(List<Term.Name> things) {
+    if (things.size() > CHOICES) {
+      return Optional.empty();
+    }
     for (Map.Entry<String, List<Said>> entry :
         situation.home().wording().prepositions().entrySet()) {
       Optional<String> word =
@@ -173,6 +181,9 @@ public final class QuestionsBack {
   }
 
   private Optional<String> place(PredicateDeclaration predicate, Term.Name thing) {
+    if (!relations.fits(predicate, 0, thing)) {
+      return Optional.empty();
+    }
     return situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
         .filter(place -> !place.equals(thing))
         .filter(place -> holds(predicate.name(), thing, place))

@@ -26,7 +26,7 @@ class LanguageBenchTest {
                 line -> {})
             .run();
 
-    assertThat(report.rows()).hasSize(11).allMatch(row -> row.value() >= 0);
+    assertThat(report.rows()).hasSize(12).allMatch(row -> row.value() >= 0);
     assertThat(value(report, "first correct")).isBetween(10.0, 100.0);
     assertThat(value(report, "edit overhead")).isBetween(0.0, 0.5);
     assertThat(value(report, "whole sentences understood")).isGreaterThan(50.0);
