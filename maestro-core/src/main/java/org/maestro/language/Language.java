@@ -7,9 +7,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
+import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.GrammarReader;
 import org.maestro.language.hearing.HeardWords;
@@ -18,6 +20,7 @@ import org.maestro.language.lexicon.FittingRoles;
 import org.maestro.language.lexicon.Lexicon;
 import org.maestro.language.lexicon.LexiconOfHome;
 import org.maestro.language.lexicon.Tokens;
+import org.maestro.language.lexicon.WholeTexts;
 import org.maestro.language.reference.Situation;
 import org.maestro.ontology.home.Home;
 
@@ -35,7 +38,7 @@ public final class Language {
   private final RuleIndex rules;
   private final Set<String> grammarWords;
   private final Tokens tokens;
-  private final FittingRoles roles;
+  private final Predicate<Form> possible;
 
   private Language(Grammar own, Home home) {
     this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
@@ -43,7 +46,7 @@ public final class Language {
     this.rules = new RuleIndex(grammar);
     this.grammarWords = HeardWords.wordsOf(grammar);
     this.tokens = new Tokens(own.spellings());
-    this.roles = new FittingRoles(home);
+    this.possible = new FittingRoles(home).and(new WholeTexts(own));
   }
 
   /**
@@ -89,7 +92,7 @@ public final class Language {
   public Listening listen(Situation situation) {
     return new Listening(
         grammar,
-        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon, roles)),
+        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon, possible)),
         situation);
   }
 

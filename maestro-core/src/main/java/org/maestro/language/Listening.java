@@ -32,6 +32,7 @@ public final class Listening {
   private final Grammar grammar;
   private final HeardWords words;
   private Situation situation;
+  private Interpreter interpreter;
   private final Beginning beginning = new Beginning();
   private int repairs;
   private Optional<Meaning> lastSaid = Optional.empty();
@@ -40,6 +41,7 @@ public final class Listening {
     this.grammar = grammar;
     this.words = words;
     this.situation = situation;
+    this.interpreter = interpreter();
   }
 
   /** Takes the next word. */
@@ -51,6 +53,7 @@ public final class Listening {
       lastSaid.ifPresent(
           said -> situation = situation.after(Understanding.spokenOf(said, situation.discourse())));
       beginning.callOff(word);
+      interpreter = interpreter();
     }
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
@@ -66,7 +69,7 @@ public final class Listening {
 
   /** What was said so far may mean, if it ended here; the best first. */
   public List<Meaning> soFar() {
-    return preferred(interpreter().of(words.readings()));
+    return preferred(interpreter.of(words.readings()));
   }
 
   private Interpreter interpreter() {
@@ -134,7 +137,7 @@ public final class Listening {
         words.chart().begun("frame").stream()
             .filter(reading -> !isLackingMore(reading.form()))
             .toList();
-    return interpreter().of(lacking).stream()
+    return interpreter.of(lacking).stream()
         .filter(meaning -> meaning.doubt().filter(Doubt.Missing.class::isInstance).isPresent())
         .toList();
   }
@@ -154,7 +157,7 @@ public final class Listening {
     known.forEach(without::take);
     without.end();
     String said = String.join(" ", known);
-    return interpreter().of(without.readings()).stream()
+    return interpreter.of(without.readings()).stream()
         .limit(1)
         .filter(
             meaning ->

@@ -136,7 +136,10 @@ public final class View implements Snapshot {
         : notKnown(atom);
   }
 
-  /** Tells of what stands in the home alone, which is all of what nobody ever spoke of. */
+  /**
+   * Tells of what stands in the home alone, which is all of what nobody ever spoke of; and the one
+   * value that is known of something.
+   */
   @Override
   public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
     Optional<PredicateDeclaration> declared = world.declarations().declared(atom.predicate());
@@ -154,9 +157,30 @@ public final class View implements Snapshot {
       return Optional.empty();
     }
     told.ifPresent(reader -> reader.accept(new Relation(atom.predicate())));
-    return world.cells().speakOf(atom.predicate())
-        ? Optional.empty()
-        : Optional.of(world.described().related(atom, new Term.Variable(variable)));
+    Term.Variable wanted = new Term.Variable(variable);
+    if (world.cells().speakOf(atom.predicate())) {
+      return isValue(atom, wanted) ? Optional.of(valuesOf(atom, wanted)) : Optional.empty();
+    }
+    return Optional.of(world.described().related(atom, wanted));
+  }
+
+  /** Whether it asks for the value that something has. */
+  private boolean isValue(Formula.Atom atom, Term.Variable wanted) {
+    return world.declarations().isFunctional(atom.predicate())
+        && atom.arguments().size() == 2
+        && atom.arguments().get(1).equals(wanted)
+        && world.declarations().canonical(atom).equals(atom);
+  }
+
+  private Set<Term> valuesOf(Formula.Atom atom, Term.Variable wanted) {
+    StateVariable variable = world.declarations().variable(atom);
+    Optional<Cell> cell = cell(variable);
+    if (cell.isEmpty()) {
+      return world.described().related(atom, wanted);
+    }
+    Optional<Held> value = settled(cell.get()).value();
+    value.ifPresent(held -> bearWitness(variable, held, true));
+    return value.map(held -> Set.of(held.value())).orElseGet(Set::of);
   }
 
   @Override

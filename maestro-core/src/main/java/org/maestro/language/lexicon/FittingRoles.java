@@ -1,12 +1,15 @@
 package org.maestro.language.lexicon;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.wording.Construction;
 
 /**
@@ -17,9 +20,23 @@ public final class FittingRoles implements Predicate<Form> {
   private final Home home;
   private final Map<String, Construction> constructions = new HashMap<>();
 
+  /** By class, those with which it may have a member in common. */
+  private final Map<String, Set<String>> common = new HashMap<>();
+
+  /** The classes of those who may speak. */
+  private final Set<String> speaking = new HashSet<>();
+
   public FittingRoles(Home home) {
     this.home = home;
     home.wording().constructions().forEach(one -> constructions.put(one.name(), one));
+    for (ClassDeclaration declared : home.vocabulary().classes().values()) {
+      Set<String> all = new HashSet<>(declared.ancestors());
+      all.add(declared.name());
+      all.forEach(name -> common.computeIfAbsent(name, n -> new HashSet<>()).addAll(all));
+    }
+    home.individuals().values().stream()
+        .filter(one -> one.classes().contains("Listener"))
+        .forEach(one -> speaking.addAll(one.classes()));
   }
 
   @Override
@@ -48,11 +65,9 @@ public final class FittingRoles implements Predicate<Form> {
       case "at", "placed", "except", "other" -> mayBe(phrase.part(0), type);
       case "called" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
       case "and", "or" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
-      case "noun" -> home.vocabulary().mayBeBoth(phrase.text(0), type);
+      case "noun" -> common.getOrDefault(phrase.text(0), Set.of()).contains(type);
       case "name" -> phrase.parts().stream().anyMatch(name -> isA(name.head(), type));
-      case "speaker" ->
-          home.individuals().values().stream()
-              .anyMatch(one -> one.classes().contains("Listener") && one.classes().contains(type));
+      case "speaker" -> speaking.contains(type);
       default -> true;
     };
   }

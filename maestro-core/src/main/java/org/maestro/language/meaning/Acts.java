@@ -39,11 +39,9 @@ final class Acts {
     this.questions = new Questions(situation, references, states, measures, this);
   }
 
-  static Acts in(Situation situation, Set<String> idle) {
-    return new Acts(
-        situation,
-        new References(new NounPhrases(situation), new Settables(situation.home())),
-        idle);
+  static Acts in(
+      Situation situation, NounPhrases phrases, Settables settables, Set<String> idle) {
+    return new Acts(situation, new References(phrases, settables), idle);
   }
 
   References references() {

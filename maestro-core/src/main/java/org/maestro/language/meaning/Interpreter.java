@@ -7,16 +7,22 @@ import java.util.Optional;
 import java.util.Set;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Form;
+import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Situation;
 import org.maestro.sl.Content;
 
-/** Interprets readings in a situation, the best first. Stateless. */
+/**
+ * Interprets readings in a situation, the best first. What was looked up for one is remembered for
+ * the others. Not safe for threads.
+ */
 public final class Interpreter {
   /** So many readings are interpreted at most. */
   private static final int READINGS = 48;
 
   private final Situation situation;
   private final Set<String> idle;
+  private final NounPhrases phrases;
+  private final Settables settables;
 
   /**
    * In a situation.
@@ -26,6 +32,8 @@ public final class Interpreter {
   public Interpreter(Situation situation, Set<String> idle) {
     this.situation = situation;
     this.idle = Set.copyOf(idle);
+    this.phrases = new NounPhrases(situation);
+    this.settables = new Settables(situation.home());
   }
 
   /**
@@ -62,7 +70,7 @@ public final class Interpreter {
    * @param confirmed whether what is always asked back was asked already
    */
   private Optional<Meaning> meaning(Reading reading, boolean confirmed) {
-    Acts acts = Acts.in(situation, idle);
+    Acts acts = Acts.in(situation, phrases.afresh(), settables, idle);
     Form form = reading.form();
     Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
     References references = acts.references();

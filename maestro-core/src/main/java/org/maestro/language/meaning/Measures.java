@@ -342,30 +342,7 @@ final class Measures {
     if (!(any instanceof Reference.Single single)) {
       return new Reference.Mistyped(whose);
     }
-    List<Term.Name> around =
-        situation.facts().individuals(type).stream()
-            .filter(
-                name ->
-                    phrases.relations().ofPlaces().stream()
-                        .anyMatch(
-                            p ->
-                                phrases.relations().fits(p, 0, single.term())
-                                        && phrases.relations().fits(p, 1, name)
-                                        && phrases
-                                            .relations()
-                                            .holds(
-                                                new Formula.Atom(
-                                                    p.name(), List.of(single.term(), name)),
-                                                Map.of())
-                                    || phrases.relations().fits(p, 0, name)
-                                        && phrases.relations().fits(p, 1, single.term())
-                                        && phrases
-                                            .relations()
-                                            .holds(
-                                                new Formula.Atom(
-                                                    p.name(), List.of(name, single.term())),
-                                                Map.of())))
-            .toList();
+    List<Term.Name> around = phrases.relations().within(single.term(), type);
     if (around.isEmpty()) {
       return new Reference.Mistyped(whose);
     }

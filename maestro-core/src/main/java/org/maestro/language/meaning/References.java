@@ -14,6 +14,9 @@ import org.maestro.sl.Term;
 
 /** Notes, for one reading, which references are broken, and what follows for formulas. */
 final class References {
+  /** Of so many things nobody means the one of which something is not so yet. */
+  private static final int MANY = 100;
+
   private final NounPhrases phrases;
   private final Settables settables;
   private final List<Doubt> doubts = new ArrayList<>();
@@ -134,7 +137,7 @@ final class References {
   /** What is so already is not asked for: of several candidates the only one of which it is not. */
   private Optional<Formula> unlessSoAlready(
       Reference.Open open, Function<Term, Optional<Formula>> said) {
-    if (!wished) {
+    if (!wished || open.candidates().size() > MANY) {
       return broken(open);
     }
     Map<Term.Name, Formula> able = new LinkedHashMap<>();

@@ -1,6 +1,10 @@
 package org.maestro.language.meaning;
 
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.maestro.language.reference.Reference;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
@@ -10,11 +14,13 @@ import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
-/** Which numbers somebody can set, by what features are for. Immutable. */
+/** What features can set and bring about in a home. Not safe for threads. */
 final class Settables {
   private static final String SELF = "self";
 
   private final Home home;
+  private final Map<String, Set<Bringer>> bringing = new HashMap<>();
+  private final Map<String, Set<Bringer>> ending = new HashMap<>();
 
   Settables(Home home) {
     this.home = home;
@@ -63,43 +69,66 @@ final class Settables {
     boolean isWished = !(goal instanceof Formula.Not);
     Formula inner = goal instanceof Formula.Not not ? not.operand() : goal;
     return !(inner instanceof Formula.Atom atom)
-        || home.devices().values().stream()
-            .anyMatch(
-                device ->
-                    device.features().stream()
-                        .map(FeatureType::effect)
-                        .anyMatch(effect -> brings(effect, device, atom, isWished)));
+        || (isWished ? bringing() : ending())
+            .getOrDefault(atom.predicate(), Set.of()).stream()
+                .anyMatch(bringer -> bringer.mayBring(atom));
   }
 
-  private static boolean brings(Effect effect, Device device, Formula.Atom atom, boolean added) {
+  /**
+   * Who brings an atom about.
+   *
+   * @param place of which argument it is the device itself; -1 when it is of none
+   */
+  private record Bringer(String device, int place) {
+    boolean mayBring(Formula.Atom atom) {
+      return place < 0
+          || place < atom.arguments().size()
+              && (!(atom.arguments().get(place) instanceof Term.Name name)
+                  || name.text().equals(device));
+    }
+  }
+
+  private Map<String, Set<Bringer>> bringing() {
+    if (bringing.isEmpty()) {
+      index();
+    }
+    return bringing;
+  }
+
+  private Map<String, Set<Bringer>> ending() {
+    if (bringing.isEmpty()) {
+      index();
+    }
+    return ending;
+  }
+
+  private void index() {
+    for (Device device : home.devices().values()) {
+      device
+          .features()
+          .forEach(feature -> index(feature.effect(), device.individual().name()));
+    }
+  }
+
+  private void index(Effect effect, String device) {
     if (effect instanceof Effect.All all) {
-      return all.effects().stream().anyMatch(part -> brings(part, device, atom, added));
+      all.effects().forEach(part -> index(part, device));
     } else if (effect instanceof Effect.When when) {
-      return brings(when.effect(), device, atom, added);
+      index(when.effect(), device);
     } else if (effect instanceof Effect.Forall forall) {
-      return brings(forall.effect(), device, atom, added);
+      index(forall.effect(), device);
     } else if (effect instanceof Effect.Add add) {
-      return added && isAbout(add.atom(), device, atom);
+      enter(bringing, add.atom(), device);
+    } else if (effect instanceof Effect.Delete delete) {
+      enter(ending, delete.atom(), device);
     }
-    return !added && effect instanceof Effect.Delete delete && isAbout(delete.atom(), device, atom);
   }
 
-  private static boolean isAbout(Formula.Atom effect, Device device, Formula.Atom atom) {
-    if (!effect.predicate().equals(atom.predicate())
-        || effect.arguments().size() != atom.arguments().size()) {
-      return false;
-    }
-    for (int i = 0; i < atom.arguments().size(); i++) {
-      boolean isOwn =
-          effect.arguments().get(i) instanceof Term.Variable variable
-              && variable.name().equals(SELF);
-      if (isOwn
-          && atom.arguments().get(i) instanceof Term.Name name
-          && !name.text().equals(device.individual().name())) {
-        return false;
-      }
-    }
-    return true;
+  private static void enter(Map<String, Set<Bringer>> index, Formula.Atom atom, String device) {
+    int place = atom.arguments().indexOf(new Term.Variable(SELF));
+    index
+        .computeIfAbsent(atom.predicate(), predicate -> new HashSet<>())
+        .add(new Bringer(place < 0 ? "" : device, place));
   }
 
   private static boolean sets(Device device, PredicateDeclaration fluent) {

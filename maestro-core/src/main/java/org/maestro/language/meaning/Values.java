@@ -75,11 +75,11 @@ final class Values {
       case "time":
         return inDay(time(clock.text(0)));
       case "timepm":
-        return inDay((time(clock.text(0)) % NOON) + NOON);
+        return afternoon(time(clock.text(0)));
       case "am":
-        return inDay(hours(clock) % NOON);
+        return hours(clock) >= NOON + HOUR ? OptionalInt.empty() : inDay(hours(clock) % NOON);
       case "pm":
-        return inDay(hours(clock) % NOON + NOON);
+        return afternoon(hours(clock));
       case "half":
         return next(hours(clock) + HALF, now);
       case "tohalf":
@@ -113,6 +113,11 @@ final class Values {
 
   private static OptionalInt inDay(int minutes) {
     return minutes >= 0 && minutes < DAY ? OptionalInt.of(minutes) : OptionalInt.empty();
+  }
+
+  /** Of the afternoon, by twelve or by twenty-four hours. */
+  private static OptionalInt afternoon(int minutes) {
+    return minutes < DAY ? inDay(minutes % NOON + NOON) : OptionalInt.empty();
   }
 
   private static OptionalInt next(int minutes, OptionalInt now) {

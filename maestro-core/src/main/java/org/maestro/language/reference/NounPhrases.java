@@ -1,7 +1,6 @@
 package org.maestro.language.reference;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -25,6 +24,8 @@ import org.maestro.sl.TypedVariable;
 public final class NounPhrases {
   private final Situation situation;
   private final Relations relations;
+  private final Candidates candidates;
+  private final Surroundings surroundings;
   private final Descriptions descriptions;
   private final Set<Term.Name> mentioned = new LinkedHashSet<>();
   private final Set<String> kinds = new LinkedHashSet<>();
@@ -40,7 +41,22 @@ public final class NounPhrases {
   public NounPhrases(Situation situation) {
     this.situation = situation;
     this.relations = new Relations(situation);
+    this.candidates = new Candidates(situation, relations);
+    this.surroundings = new Surroundings(situation, relations);
     this.descriptions = new Descriptions(situation, relations, this);
+  }
+
+  private NounPhrases(NounPhrases others) {
+    this.situation = others.situation;
+    this.relations = others.relations;
+    this.candidates = others.candidates;
+    this.surroundings = others.surroundings;
+    this.descriptions = new Descriptions(situation, relations, this);
+  }
+
+  /** Those of another reading in the same situation: what was looked up is not looked up again. */
+  public NounPhrases afresh() {
+    return new NounPhrases(this);
   }
 
   public Relations relations() {
@@ -304,25 +320,32 @@ public final class NounPhrases {
   private Reference counted(Form phrase, String className) {
     String determiner = phrase.text(0);
     boolean isCount = determiner.equals("count");
+    boolean isDefinite = !determiner.equals("a") && !determiner.equals("some");
     Form nominal = phrase.part(isCount ? 2 : 1);
     Optional<Description> read = descriptions.of(nominal);
     if (read.isEmpty()) {
       return new Reference.None(phrase);
     }
     Description description = read.get();
-    List<Term.Name> certain = candidates(description, className);
+    boolean mayFit = mayFit(description, className);
+    // Of what is told by its class there may be very many, which nobody has to look at.
+    boolean isTold =
+        !mayFit || !isDefinite && description.named().isEmpty() && description.tests().isEmpty();
+    List<Term.Name> certain =
+        isTold && !description.className().isEmpty()
+            ? List.of()
+            : candidates(description, className);
     kinds(description, certain)
         .forEach(
             kind -> {
               kinds.remove(kind);
               kinds.add(kind);
             });
-    boolean mayFit = mayFit(description, className);
     if (!mayFit) {
       return new Reference.Mistyped(phrase);
     }
-    boolean isDefinite = determiner.equals("the") || determiner.equals("this");
-    boolean isNowhere = isDefinite && certain.isEmpty() && description.placed();
+    boolean isOne = determiner.equals("the") || determiner.equals("this");
+    boolean isNowhere = isOne && certain.isEmpty() && description.placed();
     List<Term.Name> candidates = isNowhere ? notElsewhere(description, className) : certain;
     if (!candidates.isEmpty() && (isNowhere || description.supposed())) {
       supposed++;
@@ -331,9 +354,15 @@ public final class NounPhrases {
       case "a", "some" -> any(description, className, phrase, candidates);
       case "all", "every" -> all(description, className, phrase, candidates);
       case "count" -> exactly(phrase, candidates, wholeNumber(phrase.text(1)));
-      case "this" -> definite(description, phrase, present(candidates));
+      case "this" ->
+          definite(
+              description, phrase, surroundings.present(candidates, kind(description, className)));
       default -> definite(description, phrase, candidates);
     };
+  }
+
+  private static String kind(Description description, String className) {
+    return description.className().isEmpty() ? className : description.className();
   }
 
   /** The kinds of which the phrase speaks: its class, or those of whom it names. */
@@ -373,17 +402,7 @@ public final class NounPhrases {
 
   /** What fits the description and is of the class, in a stable order. */
   List<Term.Name> candidates(Description description, String className) {
-    Collection<Term.Name> all =
-        description.named().isEmpty()
-            ? situation
-                .facts()
-                .individuals(
-                    description.className().isEmpty() ? className : description.className())
-            : description.named();
-    return all.stream()
-        .filter(name -> relations.isA(name, className))
-        .filter(name -> isSo(description, name))
-        .toList();
+    return candidates.of(description, className);
   }
 
   /** Things of which nobody knows that they are elsewhere: whoever says where they are may know. */
@@ -399,10 +418,7 @@ public final class NounPhrases {
   }
 
   boolean isSo(Description description, Term.Name candidate) {
-    Map<String, Term> bindings = Map.of(Description.IT, candidate);
-    return description.conditions().stream()
-            .allMatch(condition -> relations.holds(condition, bindings))
-        && description.tests().stream().allMatch(test -> test.holds(candidate));
+    return candidates.isSo(description, candidate);
   }
 
   boolean isRelatedToAnything(PredicateDeclaration predicate, Term.Name candidate) {
@@ -415,48 +431,28 @@ public final class NounPhrases {
   }
 
   private boolean isHere(Term.Name name) {
-    return situation.here().filter(here -> relations.isIn(name, new Term.Name(here))).isPresent();
-  }
-
-  /** What something here has to do with now, such as the track that is played here; else all. */
-  private List<Term.Name> present(List<Term.Name> candidates) {
-    if (situation.here().isEmpty()) {
-      return candidates;
-    }
-    List<Term.Name> around =
-        situation.facts().individuals("Device").stream().filter(this::isHere).toList();
-    Set<Term.Name> concerned = new LinkedHashSet<>();
-    around.forEach(device -> concerned.addAll(relations.concernedBy(device)));
-    List<Term.Name> near = candidates.stream().filter(concerned::contains).toList();
-    return near.isEmpty() ? behind(concerned, candidates) : near;
-  }
-
-  /** What that has to do with it with which something here has to do: the band of the track. */
-  private List<Term.Name> behind(Set<Term.Name> between, List<Term.Name> candidates) {
-    Set<Term.Name> concerned = new LinkedHashSet<>();
-    between.forEach(thing -> concerned.addAll(relations.concernedBy(thing)));
-    List<Term.Name> near = candidates.stream().filter(concerned::contains).toList();
-    return near.isEmpty() ? candidates : near;
+    return surroundings.isHere(name);
   }
 
   /** The thing of the class with which something here has to do now. */
   Optional<Term.Name> present(String className) {
-    List<Term.Name> all = candidates(Description.ofClass(className), className);
-    List<Term.Name> near = present(all);
+    List<Term.Name> near =
+        surroundings.present(situation.facts().individuals(className), className);
     return near.size() == 1 ? Optional.of(near.get(0)) : Optional.empty();
+  }
+
+  private List<Term.Name> withoutSpeaker(List<Term.Name> candidates) {
+    Optional<Term.Name> speaker = situation.speaker().map(Term.Name::new);
+    return speaker.filter(candidates::contains).isEmpty()
+        ? candidates
+        : candidates.stream().filter(one -> !one.equals(speaker.get())).toList();
   }
 
   private Reference definite(Description description, Form phrase, List<Term.Name> candidates) {
     // Nobody calls himself the person.
-    List<Term.Name> ordered =
-        candidates.size() > 1
-            ? candidates.stream()
-                .filter(one -> situation.speaker().filter(one.text()::equals).isEmpty())
-                .toList()
-            : candidates;
+    List<Term.Name> ordered = candidates.size() > 1 ? withoutSpeaker(candidates) : candidates;
     if (description.nth() != 0) {
-      List<Term.Name> here =
-          description.placed() ? List.of() : ordered.stream().filter(this::isHere).toList();
+      List<Term.Name> here = description.placed() ? List.of() : surroundings.here(ordered);
       List<Term.Name> among = here.isEmpty() ? ordered : here;
       int index = description.nth() < 0 ? among.size() - 1 : description.nth() - 1;
       return index >= 0 && index < among.size()
@@ -470,22 +466,22 @@ public final class NounPhrases {
       return new Reference.None(phrase);
     }
     if (!description.placed()) {
-      List<Term.Name> here = ordered.stream().filter(this::isHere).toList();
+      List<Term.Name> here = surroundings.here(ordered);
       if (here.size() == 1) {
         return single(here.get(0));
       }
       ordered = here.isEmpty() ? ordered : here;
     }
-    Set<Term.Name> among = new LinkedHashSet<>(ordered);
+    List<Term.Name> among = ordered;
     Optional<Term.Name> last =
         situation.discourse().things().stream().filter(among::contains).findFirst();
     return last.or(() -> ofLatestKind(among))
         .map(this::single)
-        .orElseGet(() -> new Reference.Open(phrase, List.copyOf(among)));
+        .orElseGet(() -> new Reference.Open(phrase, among));
   }
 
   /** The only one of the kind that was spoken of last. */
-  private Optional<Term.Name> ofLatestKind(Set<Term.Name> candidates) {
+  private Optional<Term.Name> ofLatestKind(List<Term.Name> candidates) {
     for (String kind : situation.discourse().classes()) {
       List<Term.Name> ofKind =
           candidates.stream().filter(candidate -> relations.isA(candidate, kind)).toList();
@@ -511,7 +507,7 @@ public final class NounPhrases {
     }
     List<Term.Name> chosen = candidates;
     if (!description.placed()) {
-      List<Term.Name> here = candidates.stream().filter(this::isHere).toList();
+      List<Term.Name> here = surroundings.here(candidates);
       boolean isBoundToRooms = candidates.stream().anyMatch(this::isSomewhere);
       if (!here.isEmpty()) {
         chosen = here;

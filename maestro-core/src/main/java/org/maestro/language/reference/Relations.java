@@ -1,11 +1,16 @@
 package org.maestro.language.reference;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -19,19 +24,36 @@ import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
-/** Predicates of two arguments, as prepositions name them. Immutable. */
+/**
+ * Predicates of two arguments, as prepositions name them. What was found out is remembered. Not
+ * safe for threads.
+ */
 public final class Relations {
   /** The geometry function by which it is known in which room something is. */
   private static final String INSIDE = "inside";
 
+  /** The properties by which a home says where something is. */
+  private static final Set<String> POSITIONS = Set.of("pose", "position");
+
   private final Home home;
   private final Vocabulary vocabulary;
   private final Facts facts;
+  private final Evaluation evaluation;
+  private final List<PredicateDeclaration> pairs;
+  private final List<PredicateDeclaration> ofPlaces;
+  private final Map<Term, Owner> belonging = new HashMap<>();
+  private final Map<Formula.Atom, Boolean> held = new HashMap<>();
 
   public Relations(Situation situation) {
     this.home = situation.home();
     this.vocabulary = home.vocabulary();
     this.facts = situation.facts();
+    this.evaluation = new Evaluation(facts);
+    this.pairs =
+        vocabulary.predicates().values().stream()
+            .filter(predicate -> predicate.parameters().size() == 2)
+            .toList();
+    this.ofPlaces = List.copyOf(withWordsOf(INSIDE));
   }
 
   /** The predicates that a preposition may be, in the order of its form. */
@@ -45,8 +67,12 @@ public final class Relations {
 
   /** The predicates by which it is said in what something is: those with a word of "inside". */
   public List<PredicateDeclaration> ofPlaces() {
+    return ofPlaces;
+  }
+
+  private List<PredicateDeclaration> withWordsOf(String relation) {
     Set<String> words = new LinkedHashSet<>();
-    prepositions(INSIDE).forEach(said -> words.add(said.text()));
+    prepositions(relation).forEach(said -> words.add(said.text()));
     List<PredicateDeclaration> found = new ArrayList<>();
     for (Map.Entry<String, List<Said>> entry : home.wording().prepositions().entrySet()) {
       if (entry.getValue().stream().anyMatch(said -> words.contains(said.text()))) {
@@ -100,6 +126,52 @@ public final class Relations {
         && predicate.countedWhen().isEmpty();
   }
 
+  /** What of the class is known to be in what the thing is in, or in the thing itself. */
+  public List<Term.Name> within(Term thing, String className) {
+    Set<Term.Name> found = new HashSet<>();
+    for (PredicateDeclaration predicate : ofPlaces) {
+      if (fits(predicate, 0, thing)) {
+        fewer(className, typeOf(predicate, 1)).stream()
+            .filter(place -> fits(predicate, 1, place) && isA(place, className))
+            .filter(place -> holds(predicate.name(), thing, place))
+            .forEach(found::add);
+      }
+      if (fits(predicate, 1, thing)) {
+        fewer(className, typeOf(predicate, 0)).stream()
+            .filter(other -> isPlaceable(other) && isA(other, className))
+            .filter(other -> fits(predicate, 0, other) && holds(predicate.name(), other, thing))
+            .forEach(found::add);
+      }
+    }
+    return found.isEmpty()
+        ? List.of()
+        : facts.individuals(className).stream().filter(found::contains).toList();
+  }
+
+  /** The individuals of that of two classes of which there are fewer. */
+  private Collection<Term.Name> fewer(String one, String other) {
+    Collection<Term.Name> ones = facts.individuals(one);
+    Collection<Term.Name> others = facts.individuals(other);
+    return ones.size() <= others.size() ? ones : others;
+  }
+
+  /** Whether it may be in a place at all, rather than being no thing, as titles are. */
+  boolean isPlaceable(Term.Name name) {
+    for (PredicateDeclaration predicate : ofPlaces) {
+      String type = typeOf(predicate, 0);
+      if (type.isEmpty() ? stands(name) || isA(name, typeOf(predicate, 1)) : isA(name, type)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether the home says where it is. */
+  private boolean stands(Term.Name name) {
+    Individual individual = home.individuals().get(name.text());
+    return individual != null && POSITIONS.stream().anyMatch(individual.properties()::containsKey);
+  }
+
   /** Whether it is known that the thing is in the place, by whichever predicate says so. */
   boolean isIn(Term thing, Term place) {
     return ofPlaces().stream()
@@ -144,60 +216,99 @@ public final class Relations {
         && vocabulary.predicate(atom.predicate()).filter(Relations::isBroughtAbout).isPresent();
   }
 
-  /** Whether any preposition's predicate is known to hold of both. */
-  boolean areRelated(Term thing, Term other) {
-    return home.wording().prepositions().keySet().stream()
-        .map(vocabulary::predicate)
-        .flatMap(Optional::stream)
-        .filter(predicate -> predicate.parameters().size() == 2)
-        .filter(predicate -> fits(predicate, 0, thing) && fits(predicate, 1, other))
-        .anyMatch(predicate -> holds(predicate.name(), thing, other));
-  }
-
   /** Whether one has the other, by whichever predicate relates both, or by its name. */
   boolean belongs(Term thing, Term owner) {
-    return areRelated(thing, owner)
-        || vocabulary.predicates().values().stream()
-            .filter(predicate -> !predicate.fluent() && predicate.parameters().size() == 2)
-            .filter(predicate -> predicate.computedBy().isEmpty())
-            .anyMatch(
-                predicate ->
-                    fits(predicate, 0, thing)
-                            && fits(predicate, 1, owner)
-                            && holds(predicate.name(), thing, owner)
-                        || fits(predicate, 0, owner)
-                            && fits(predicate, 1, thing)
-                            && holds(predicate.name(), owner, thing));
+    return belonging.computeIfAbsent(owner, Owner::new).has(thing);
   }
 
-  /** Things that a device's own state names. */
-  List<Term.Name> concernedBy(Term device) {
-    return vocabulary.predicates().values().stream()
-        .filter(predicate -> !predicate.fluent() && predicate.parameters().size() == 2)
-        .filter(predicate -> predicate.computedBy().isEmpty() && fits(predicate, 0, device))
+  /** Of whom things may be, and by which predicates. */
+  private final class Owner {
+    private final Term owner;
+    private final List<PredicateDeclaration> having;
+    private final List<PredicateDeclaration> had;
+
+    Owner(Term owner) {
+      this.owner = owner;
+      Set<String> prepositions = home.wording().prepositions().keySet();
+      this.having =
+          pairs.stream()
+              .filter(pair -> prepositions.contains(pair.name()) || isOwn(pair))
+              .filter(pair -> fits(pair, 1, owner))
+              .toList();
+      this.had = pairs.stream().filter(pair -> isOwn(pair) && fits(pair, 0, owner)).toList();
+    }
+
+    boolean has(Term thing) {
+      return having.stream()
+              .anyMatch(pair -> fits(pair, 0, thing) && holds(pair.name(), thing, owner))
+          || had.stream()
+              .anyMatch(pair -> fits(pair, 1, thing) && holds(pair.name(), owner, thing));
+    }
+
+    private boolean isOwn(PredicateDeclaration pair) {
+      return !pair.fluent() && pair.computedBy().isEmpty();
+    }
+  }
+
+  /**
+   * With what a device has to do now, at least among several things: what it plays, sees or stands
+   * beside.
+   *
+   * @param className of which all of these are; "" for any
+   */
+  Set<Term.Name> concernedBy(Term device, Collection<Term.Name> among, String className) {
+    return ofDevices(device)
+        .filter(predicate -> fits(predicate, 1, className))
         .flatMap(
             predicate ->
-                facts
-                    .candidates(
-                        new Formula.Atom(predicate.name(), List.of(device, new Term.Variable("y"))),
-                        "y")
-                    .orElseGet(() -> Set.copyOf(facts.individuals(typeOf(predicate, 1))))
-                    .stream()
+                told(predicate, device)
+                    .map(Set::stream)
+                    .orElseGet(() -> among.stream().filter(other -> fits(predicate, 1, other)))
+                    .filter(other -> holds(predicate.name(), device, other)))
+        .collect(Collectors.toCollection(LinkedHashSet::new));
+  }
+
+  /** Things that something's own state names, rather than what is observed of it. */
+  Set<Term.Name> namedBy(Term thing) {
+    return ofDevices(thing)
+        .filter(predicate -> !predicate.observable())
+        .flatMap(
+            predicate ->
+                told(predicate, thing)
+                    .map(Set::stream)
+                    .orElseGet(() -> facts.individuals(typeOf(predicate, 1)).stream())
+                    .filter(other -> holds(predicate.name(), thing, other)))
+        .collect(Collectors.toCollection(LinkedHashSet::new));
+  }
+
+  private Stream<PredicateDeclaration> ofDevices(Term device) {
+    return pairs.stream()
+        .filter(predicate -> !predicate.fluent())
+        .filter(predicate -> predicate.computedBy().isEmpty() && fits(predicate, 0, device));
+  }
+
+  /** Those with which it may hold, where the facts tell that without trying each. */
+  private Optional<Set<Term.Name>> told(PredicateDeclaration predicate, Term thing) {
+    return facts
+        .candidates(new Formula.Atom(predicate.name(), List.of(thing, new Term.Variable("y"))), "y")
+        .map(
+            terms ->
+                terms.stream()
                     .filter(Term.Name.class::isInstance)
                     .map(Term.Name.class::cast)
-                    .filter(other -> holds(predicate.name(), device, other)))
-        .distinct()
-        .toList();
+                    .collect(Collectors.toCollection(LinkedHashSet::new)));
   }
 
   private boolean holds(String predicate, Term thing, Term other) {
-    return holds(new Formula.Atom(predicate, List.of(thing, other)), Map.of());
+    return held.computeIfAbsent(
+        new Formula.Atom(predicate, List.of(thing, other)),
+        atom -> evaluation.truth(atom, Map.of()) == Truth.TRUE);
   }
 
   /** Whether the formula is known to hold. */
   public boolean holds(Formula formula, Map<String, Term> bindings) {
     return bindings.keySet().containsAll(FreeVariables.of(formula))
-        && new Evaluation(facts).truth(formula, bindings) == Truth.TRUE;
+        && evaluation.truth(formula, bindings) == Truth.TRUE;
   }
 
   /** The class of the predicate's argument; "" for any. */

@@ -22,16 +22,21 @@ import org.maestro.sl.Truth;
 
 /** What is asked back, or said instead, when something stays in doubt. */
 public final class QuestionsBack {
+  /** Of more things nobody wants to hear the names. */
+  private static final int CHOICES = 4;
+
   private final Situation situation;
   private final Grammar grammar;
   private final Naming naming;
   private final Phrases phrases;
+  private final Relations relations;
 
   public QuestionsBack(Situation situation, Grammar grammar) {
     this.situation = situation;
     this.grammar = grammar;
     this.naming = new Naming(situation.home(), grammar);
     this.phrases = new Phrases(grammar);
+    this.relations = new Relations(situation);
   }
 
   /** The sentence for a doubt. */
@@ -134,7 +139,7 @@ public final class QuestionsBack {
     }
     List<String> choices =
         names.size() == candidates.size() ? names : byPlace(candidates).orElse(names);
-    if (choices.size() > 4) {
+    if (choices.size() > CHOICES) {
       return phrases.of("which-of-many", Map.of("kind", kind));
     }
     String last = choices.get(choices.size() - 1);
@@ -151,6 +156,9 @@ public final class QuestionsBack {
 
   /** Things by where they are, the one on the table, where that tells them apart. */
   private Optional<List<String>> byPlace(List<Term.Name> things) {
+    if (things.size() > CHOICES) {
+      return Optional.empty();
+    }
     String kind = things.stream().findFirst().flatMap(naming::kind).orElse("");
     String article = phrases.article(kind);
     String instead = article.isEmpty() ? kind : article;
@@ -187,6 +195,9 @@ public final class QuestionsBack {
   }
 
   private Optional<String> place(PredicateDeclaration predicate, Term.Name thing) {
+    if (!relations.fits(predicate, 0, thing)) {
+      return Optional.empty();
+    }
     return situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
         .filter(place -> !place.equals(thing))
         .filter(place -> holds(predicate.name(), thing, place))

@@ -2,6 +2,7 @@ package org.maestro.ontology.home;
 
 import java.time.ZoneId;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -33,7 +34,7 @@ public record Home(
     String words,
     Optional<String> file) {
   public Home {
-    individuals = Collections.unmodifiableMap(new TreeMap<>(individuals));
+    individuals = Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(individuals)));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
     groups = Collections.unmodifiableMap(new TreeMap<>(groups));
     scripts = Collections.unmodifiableMap(new TreeMap<>(scripts));

@@ -1,6 +1,8 @@
 package org.maestro.ontology.home;
 
 import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -23,8 +25,9 @@ public record Individual(
     Set<String> classes,
     Map<String, List<Term>> properties) {
   public Individual {
-    classes = Collections.unmodifiableSet(new TreeSet<>(classes));
-    properties = Collections.unmodifiableMap(new TreeMap<>(properties));
+    // In a stable order, and looked up by their hashes: words are held against many thousands.
+    classes = Collections.unmodifiableSet(new LinkedHashSet<>(new TreeSet<>(classes)));
+    properties = Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(properties)));
   }
 
   /**

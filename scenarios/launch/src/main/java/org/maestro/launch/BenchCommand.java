@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description =
-        "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, losses, "
+        "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, language, losses, noise, "
             + "openings, planner, running, scripts, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
@@ -61,7 +61,9 @@ final class BenchCommand implements Callable<Integer> {
       List<Integer> devices,
       int goals,
       Duration duration,
-      Function<Consumer<String>, ChaosBench> chaos) {}
+      Function<Consumer<String>, ChaosBench> chaos,
+      Optional<Path> utterances,
+      long seed) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
       benches();
@@ -89,8 +91,8 @@ final class BenchCommand implements Callable<Integer> {
       names = "--runs",
       paramLabel = "N",
       description =
-          "How often losses and cancel have each happen, and openings opens; once unless it is"
-              + " said.")
+          "How often losses and cancel have each happen, openings opens, and noise and language say each"
+              + " utterance; once unless it is said.")
   private int runs = 1;
 
   @Option(
@@ -139,9 +141,17 @@ final class BenchCommand implements Callable<Integer> {
   private long first = 1;
 
   @Option(
+      names = "--file",
+      paramLabel = "FILE.tsv",
+      description =
+          "The utterances of noise, as for ./maestro understand, and if wished, after a tabulator,"
+              + " what each means.")
+  private Optional<Path> utterances = Optional.empty();
+
+  @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "The one seed of chaos, with its story.")
+      description = "The one seed of chaos, with its story; that of noise, 1 unless it is said.")
   private Optional<Long> seed = Optional.empty();
 
   private Duration duration() {
@@ -213,9 +223,11 @@ final class BenchCommand implements Callable<Integer> {
         "growth",
         (wanted, progress) ->
             new GrowthBench(wanted.directory().toAbsolutePath(), wanted.sizes(), progress).run());
+    benches.put("language", (wanted, progress) -> WordsBenches.language(wanted.runs(), progress));
     benches.put(
         "losses",
         (wanted, progress) -> new LossesBench(wanted.losses(), wanted.runs(), progress).run());
+    benches.put("noise", BenchCommand::noise);
     benches.put(
         "openings", (wanted, progress) -> new OpeningsBench(OPENED, wanted.runs(), progress).run());
     benches.put("planner", (wanted, progress) -> new PlannerBench(20, progress).run());
@@ -253,6 +265,17 @@ final class BenchCommand implements Callable<Integer> {
         .run();
   }
 
+  private static BenchReport noise(Wanted wanted, Consumer<String> progress) {
+    Path file =
+        wanted
+            .utterances()
+            .orElseThrow(
+                () ->
+                    CommandException.badInput(
+                        "The benchmark noise needs utterances; give --file FILE.tsv."));
+    return WordsBenches.noise(file, wanted.runs(), wanted.seed(), progress);
+  }
+
   private int goals() {
     if (goals < LEAST_GOALS) {
       throw CommandException.badInput(
@@ -278,7 +301,17 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     BenchReport report =
         bench.apply(
-            new Wanted(out, runs, losses(), sizes(), devices(), goals(), duration(), this::chaos),
+            new Wanted(
+                out,
+                runs,
+                losses(),
+                sizes(),
+                devices(),
+                goals(),
+                duration(),
+                this::chaos,
+                utterances,
+                seed.orElse(1L)),
             line -> {
               err.println(line);
               err.flush();

@@ -151,7 +151,8 @@ final class UnderstandCommand implements Callable<Integer> {
     }
   }
 
-  private static List<String> lines(Path file) {
+  /** The lines of a list of utterances. */
+  static List<String> lines(Path file) {
     try {
       return Files.readAllLines(file).stream()
           .filter(line -> !line.isBlank() && !line.startsWith("#"))
