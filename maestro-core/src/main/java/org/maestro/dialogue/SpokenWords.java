@@ -99,6 +99,16 @@ public final class SpokenWords {
         .map(Reading.Said::new);
   }
 
+  /**
+   * Words with which what she is just writing could go on.
+   *
+   * @param most so many at most
+   */
+  public synchronized List<String> next(Utterance begun, int most) {
+    Home there = home.get();
+    return language(there).next(begun.text(), situation(there, begun), most);
+  }
+
   /** What is known of a question that was understood, as people say it. */
   public synchronized String answer(List<AnswerWords.Found> answers) {
     return answers().of(answers);

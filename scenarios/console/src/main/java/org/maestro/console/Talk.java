@@ -45,7 +45,7 @@ final class Talk implements AutoCloseable {
                     questions,
                     stories),
             questions::answer,
-            platform.dialogues().asked(),
+            platform.dialogues(),
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);
   }

@@ -20,7 +20,7 @@ import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
-import org.maestro.dialogue.AskedQuestions;
+import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Utterance;
 import org.maestro.dialogue.UtteranceCheck;
 import org.maestro.ontology.home.Home;
@@ -34,12 +34,13 @@ import org.maestro.rats.security.Role;
 public final class Chat implements Source {
   private static final int CREATED = 201;
   private static final int MOST = 2_000;
+  private static final int MOST_NEXT = 100;
   private static final long HEAVIEST = 2_000_000;
 
   private final Supplier<Home> home;
   private final Function<String, Interlocutor> partners;
   private final Answering answering;
-  private final AskedQuestions asked;
+  private final Dialogues dialogues;
   private final InstantSource wall;
   private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
   private final Map<String, Interlocutor> partnerByPerson = new TreeMap<>();
@@ -48,18 +49,18 @@ public final class Chat implements Source {
    * @param home as it is known at the time
    * @param partners makes who answers the person of that name
    * @param answering where answers to questions of scripts go
-   * @param asked those that scripts have asked
+   * @param dialogues what persons have said before, and scripts have asked
    */
   public Chat(
       Supplier<Home> home,
       Function<String, Interlocutor> partners,
       Answering answering,
-      AskedQuestions asked,
+      Dialogues dialogues,
       InstantSource wall) {
     this.home = home;
     this.partners = partners;
     this.answering = answering;
-    this.asked = asked;
+    this.dialogues = dialogues;
     this.wall = wall;
   }
 
@@ -76,21 +77,53 @@ public final class Chat implements Source {
             .taking("chat-request")
             .answering(CREATED, "chat-accepted"),
         Operation.get(
-            "/chat",
-            "chat",
-            "What was said lately, by whom in which room, and what became of it.",
-            "chat",
-            request -> CompletableFuture.completedFuture(all())));
+                "/chat",
+                "chat",
+                "What was said lately, by whom in which room, and what became of it.",
+                "chat",
+                request ->
+                    CompletableFuture.completedFuture(
+                        between(request.number("after").orElse(0), latest())))
+            .with(
+                Operation.Parameter.number(
+                    "after", "Only what has a higher number; without, all that is kept.")),
+        Operation.get(
+                "/chat/words",
+                "nextWords",
+                "Words with which what a person writes could go on.",
+                "chat-words",
+                request -> CompletableFuture.completedFuture(next(request)))
+            .with(
+                Operation.Parameter.query("person", "Who writes."),
+                Operation.Parameter.query("room", "In which room."),
+                Operation.Parameter.query(
+                    "text", "What is written so far; it may end in a word.")));
   }
 
   private Utterance read(Operation.Request request) {
     JsonNode body = request.body();
-    Utterance utterance =
+    return checked(
         new Utterance(
             body.path("person").asText(),
             body.path("room").asText(),
             body.path("text").asText(),
-            request.visit().person());
+            request.visit().person()));
+  }
+
+  private JsonNode next(Operation.Request request) {
+    Utterance begun =
+        checked(
+            new Utterance(
+                request.parameter("person"),
+                request.parameter("room"),
+                request.parameter("text"),
+                request.visit().person()));
+    return JsonMembers.empty()
+        .words("words", dialogues.with(begun.person()).next(begun, MOST_NEXT))
+        .node();
+  }
+
+  private Utterance checked(Utterance utterance) {
     new UtteranceCheck(home.get())
         .objection(utterance)
         .ifPresent(
@@ -103,7 +136,7 @@ public final class Chat implements Source {
   /** Hands it over; returned is the number under which it is kept. */
   private JsonNode say(Utterance utterance) {
     long number = add(ChatEntry.said(utterance, wall.instant()));
-    Optional<Speech> question = asked.answeredBy(utterance);
+    Optional<Speech> question = dialogues.asked().answeredBy(utterance);
     question.ifPresentOrElse(speech -> answer(speech, utterance), () -> understand(utterance));
     return JsonNodeFactory.instance.objectNode().put("number", number);
   }
@@ -120,7 +153,7 @@ public final class Chat implements Source {
   }
 
   private void answered(Speech question, Utterance utterance) {
-    asked.over(question);
+    dialogues.asked().over(question);
     tell(
         utterance,
         new ChatEvent.Told(question.goalId(), "That is the answer to: " + question.text()));
@@ -133,7 +166,7 @@ public final class Chat implements Source {
             : failure;
     if (refusal instanceof RefusalException none
         && none.kind() == RefusalException.Kind.NOT_THERE) {
-      asked.over(question);
+      dialogues.asked().over(question);
       understand(utterance);
     } else {
       tell(
