@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
+import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.Replies;
@@ -27,6 +28,7 @@ import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.planning.api.Planner;
 import org.maestro.sl.Content;
@@ -36,7 +38,8 @@ import org.slf4j.LoggerFactory;
 /**
  * The Central Coordination Agent (Three-layered architecture, 3.3.3; M76): takes goals by FIPA
  * request, and is the coordinator's voice and ear. It answers {@code initCNP}, {@code cancel},
- * {@code explain}, {@code subscribe} and {@code query-ref} about goals and their plans.
+ * {@code say}, {@code explain}, {@code subscribe} and {@code query-ref} about goals and their
+ * plans.
  */
 public final class CoordinatorAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
@@ -58,23 +61,15 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient boolean returns;
   private final transient ToldStories stories;
   private final transient GoalRequests requests;
+  private final transient Sayings sayings;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
-
-  /** A coordinator that remembers nothing, and is remembered by nobody. */
-  public CoordinatorAgent(
-      AgentTime time,
-      KnowledgeBase knowledge,
-      Planner planner,
-      Story archive,
-      Duration decisionTime) {
-    this(time, knowledge, planner, archive, decisionTime, Past.none());
-  }
 
   /**
    * @param archive where stories are kept beyond this agent's life
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
    * @param past what it goes on from
+   * @param dialogues what persons have said before
    */
   public CoordinatorAgent(
       AgentTime time,
@@ -82,7 +77,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       Planner planner,
       Story archive,
       Duration decisionTime,
-      Past past) {
+      Past past,
+      Dialogues dialogues) {
     super(time);
     this.knowledge = knowledge;
     this.recovery = past.recovery();
@@ -99,6 +95,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
             this::misconduct);
     this.coordinator = deliberation.coordinator();
     this.requests = new GoalRequests(this, knowledge, coordinator, stories);
+    this.sayings = new Sayings(this, knowledge, requests, dialogues);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -219,6 +216,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
         case "yield" -> deliberation.askedToYield(message, words);
         case "cancel" -> requests.cancel(message, words);
         case "answer" -> requests.answer(message, words);
+        case "say" -> sayings.say(message, words);
         case "explain" -> requests.explain(message, words);
         case "subscribe" -> requests.subscribe(message, words);
         case "query-ref" -> requests.list(message, words);
@@ -230,8 +228,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, await, cancel, answer, explain, subscribe, query-ref and"
-                    + " perform.");
+                    + "; it knows initCNP, await, cancel, answer, say, explain, subscribe,"
+                    + " query-ref and perform.");
       }
     }
   }

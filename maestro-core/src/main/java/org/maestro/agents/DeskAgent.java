@@ -17,6 +17,8 @@ import org.maestro.agents.content.BeliefWords;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.SaidReply;
+import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.knowledge.KnowledgeCache;
@@ -27,6 +29,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.dialogue.Utterance;
 import org.maestro.rats.bounded.BoundedMap;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
@@ -187,6 +190,23 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
             told.accept(HeldReport.read(performative == ACLMessage.CONFIRM, reply.getContent()));
           }
         });
+  }
+
+  /**
+   * Says something for a person. What becomes of it is told once at first, and, where goals are
+   * taken on, once when they are over, on this agent's thread.
+   */
+  public void say(Utterance utterance, Consumer<SaidReply> told) {
+    request(
+        ACLMessage.REQUEST,
+        AgentNames.COORDINATOR,
+        NO_END,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.AGREE || isEnd(reply)) {
+            told.accept(SayWords.read(Words.parse(reply.getContent())));
+          }
+        },
+        SayWords.content(utterance));
   }
 
   /** Asks an agent of this platform; exactly one final reply follows. */

@@ -103,6 +103,23 @@ public final class Language {
     return listening.end(utterance);
   }
 
+  /**
+   * Words with which what somebody writes could go on; where the text ends within a word, words
+   * that begin as that does.
+   *
+   * @param most so many at most
+   */
+  public List<String> next(String text, Situation situation, int most) {
+    int last = text.length();
+    while (last > 0 && !Character.isWhitespace(text.charAt(last - 1))) {
+      last--;
+    }
+    Listening listening = listen(situation);
+    words(text.substring(0, last)).forEach(listening::hear);
+    List<String> begun = words(text.substring(last));
+    return begun.size() > 1 ? List.of() : listening.next(String.join("", begun), most);
+  }
+
   /** The words of a text. */
   public List<String> words(String text) {
     return tokens.of(text);

@@ -87,6 +87,16 @@ public final class Listening {
         : new Narrowing(situation).of(words.chart().partial(Narrowing::isBegun));
   }
 
+  /**
+   * Words that could come next, and begin so; none while a word fits nothing.
+   *
+   * @param begin of them; "" of whichever
+   * @param most so many at most
+   */
+  public List<String> next(String begin, int most) {
+    return words.next(begin, most);
+  }
+
   /** The words so far, and what became of them. */
   public List<Heard> heard() {
     return words.heard();

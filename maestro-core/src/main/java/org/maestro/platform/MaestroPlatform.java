@@ -30,6 +30,7 @@ import org.maestro.coordination.api.Story;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
+import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.habits.HabitFile;
 import org.maestro.knowledge.habits.HabitLog;
@@ -56,6 +57,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final ReasoningServices mind;
   private final AgentLives lives = new AgentLives();
   private final StoriesTold stories = new StoriesTold();
+  private final Dialogues dialogues;
   private final CentralAgent central;
   private final DeskAgent desk;
   private final MemberAgents agents;
@@ -76,13 +78,20 @@ public final class MaestroPlatform implements AutoCloseable {
     KnowledgeBase knowledge = services.knowledge();
     this.time = AgentTime.of(clock, settings.patience());
     this.mind = new ReasoningServices(knowledge, services.planner(), settings.decisionTime());
+    this.dialogues = new Dialogues(knowledge::home, knowledge::snapshot, clock::instant);
     this.central =
         new CentralAgent(
             past.ofCentre(),
             clock,
             before ->
                 new CoordinatorAgent(
-                    time, knowledge, services.planner(), stories, settings.decisionTime(), before));
+                    time,
+                    knowledge,
+                    services.planner(),
+                    stories,
+                    settings.decisionTime(),
+                    before,
+                    dialogues));
     this.desk = new DeskAgent(time);
     Surroundings here =
         new Surroundings(
@@ -154,6 +163,7 @@ public final class MaestroPlatform implements AutoCloseable {
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);
+    desk.whenSaid(dialogues.asked()::hear);
     agents.begin();
     for (Group group : knowledge.home().groups().values()) {
       GroupAgent agent = new GroupAgent(time, mind, group, stories, past);
@@ -239,6 +249,11 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Where goals are stated. */
   public DeskAgent desk() {
     return desk;
+  }
+
+  /** What persons of the home have said, and what was asked back. */
+  public Dialogues dialogues() {
+    return dialogues;
   }
 
   /** Simulated seconds in one of wall time. */

@@ -25,6 +25,7 @@ import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Group;
@@ -61,7 +62,13 @@ public final class Society implements AutoCloseable {
     container = jade.main();
     cca =
         new CoordinatorAgent(
-            time, knowledge, new OptimalPlanner(), story::add, Duration.ofMillis(20), Past.none());
+            time,
+            knowledge,
+            new OptimalPlanner(),
+            story::add,
+            Duration.ofMillis(20),
+            Past.none(),
+            new Dialogues(knowledge::home, knowledge::snapshot, clock::instant));
     start(container, AgentNames.COORDINATOR, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();

@@ -16,8 +16,10 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Recovery;
@@ -97,19 +99,55 @@ public final class GoalRequests {
           news -> answer(message, news),
           outcome -> endings.ended(goal, outcome));
     } catch (InvalidGoalException e) {
-      agent.reply(
-          message,
-          ACLMessage.REFUSE,
-          Words.content(
-              "inform",
-              Words.named(
-                  "reason", Words.text(Objects.requireNonNullElse(e.getMessage(), e.toString()))),
-              Words.named("invalid", Words.name("true"))));
+      agent.reply(message, ACLMessage.REFUSE, invalid(e));
     }
   }
 
+  /** Takes the goals of one sentence on, if all of them can be; who says it is told so. */
+  void state(ACLMessage message, Words words, Caller requester, SaidGoals said) {
+    List<Formula> goals = said.goals();
+    if (!mayAsk(requester, message)
+        || goals.stream()
+            .anyMatch(goal -> isKeptBack(message, privately.objection(message, words, goal)))) {
+      return;
+    }
+    try {
+      GoalCheck check = new GoalCheck(knowledge.home());
+      List<GoalRequest> asked = new ArrayList<>();
+      for (Formula goal : goals) {
+        asked.add(GoalWords.request(goal, requester.toString(), words, agent.clock().now()));
+        check.check(asked.get(asked.size() - 1));
+      }
+      for (GoalRequest one : asked) {
+        coordinator.submit(
+            one,
+            said.answer(),
+            news -> answer(message, news),
+            outcome -> {
+              endings.ended(one.goal(), outcome);
+              said.ended(one.goal(), outcome);
+            });
+      }
+    } catch (InvalidGoalException e) {
+      agent.reply(message, ACLMessage.REFUSE, invalid(e));
+    }
+  }
+
+  /** What who says this may read. */
+  ReadingRights rights(ACLMessage message, Words words) {
+    return privately.rights(message, words);
+  }
+
+  private static Content invalid(InvalidGoalException why) {
+    return Words.content(
+        "inform",
+        Words.named(
+            "reason", Words.text(Objects.requireNonNullElse(why.getMessage(), why.toString()))),
+        Words.named("invalid", Words.name("true")));
+  }
+
   /** Who may not is told so. */
-  private boolean mayAsk(Caller requester, ACLMessage message) {
+  boolean mayAsk(Caller requester, ACLMessage message) {
     boolean mayAsk = AccessList.of(knowledge.home()).knows(requester.names());
     if (!mayAsk) {
       agent.refuse(
@@ -193,7 +231,10 @@ public final class GoalRequests {
     String id = words.string("goal").orElse("");
     Optional<AID> owner = others.owner(id);
     if (owner.isPresent() && !agent.isFromOtherPlatform(message)) {
-      forward(message, owner.get(), named("cancel", id));
+      forward(
+          owner.get(),
+          named("cancel", id),
+          (performative, contents) -> agent.reply(message, performative, contents));
       return;
     }
     Optional<String> person = words.string("for");
@@ -218,13 +259,12 @@ public final class GoalRequests {
   }
 
   /** Has another agent answer. */
-  private void forward(ACLMessage message, AID to, Content request) {
+  private void forward(AID to, Content request, Verdict verdict) {
     agent.ask(
         agent.message(ACLMessage.REQUEST, to, request),
         agent.patience(agent.patience().agreement()),
         answer ->
-            agent.reply(
-                message,
+            verdict.told(
                 answer.getPerformative(),
                 Words.parse(answer.getContent()).toArray(Content[]::new)));
   }
@@ -235,15 +275,26 @@ public final class GoalRequests {
    */
   public void answer(ACLMessage message, Words words) {
     Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
-    if (!mayAsk(caller, message)) {
-      return;
+    if (mayAsk(caller, message)) {
+      answer(
+          words.string("question").orElse(""),
+          words.string("text").orElse(""),
+          caller,
+          (performative, contents) -> agent.reply(message, performative, contents));
     }
-    String question = words.string("question").orElse("");
-    String text = words.string("text").orElse("");
+  }
+
+  /** What becomes of an answer to a question of a script. */
+  interface Verdict {
+    void told(int performative, Content... contents);
+  }
+
+  /** The same, told to whom it concerns here. */
+  void answer(String question, String text, Caller caller, Verdict verdict) {
     Optional<AID> owner = others.owner(GoalId.whole(question));
     if (owner.isPresent()) {
       forward(
-          message, owner.get(), SpeechWords.answer(question, text, Optional.of(caller.toString())));
+          owner.get(), SpeechWords.answer(question, text, Optional.of(caller.toString())), verdict);
       return;
     }
     coordinator.answer(
@@ -251,8 +302,7 @@ public final class GoalRequests {
         text,
         caller.toString(),
         refusal ->
-            agent.reply(
-                message,
+            verdict.told(
                 refusal.isPresent() ? ACLMessage.REFUSE : ACLMessage.INFORM,
                 SpeechWords.verdict(question, refusal)));
   }

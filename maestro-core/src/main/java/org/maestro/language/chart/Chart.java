@@ -209,20 +209,31 @@ public final class Chart {
     return columns.get(columns.size() - 1).predicts(category);
   }
 
-  /** Categories of the lexicon of which a word could come next. */
-  public Set<String> predictedEntries() {
-    Set<String> predicted = new TreeSet<>(lexicon.categories());
-    predicted.retainAll(columns.get(columns.size() - 1).predicted());
-    return predicted;
-  }
-
-  /** Words of the grammar that could come next. */
-  public Set<String> predictedWords() {
+  /**
+   * Words that could come next, and begin so, in the order of their letters: those of the grammar,
+   * and those of entries that begin here, or have begun before.
+   *
+   * @param begin of them; "" of whichever
+   * @param most so many at most
+   */
+  public List<String> next(String begin, int most) {
     Column last = columns.get(columns.size() - 1);
     Set<String> next = new TreeSet<>();
     last.awaited().forEach(symbol -> wordOf(symbol).ifPresent(next::add));
     last.predicted().forEach(category -> next.addAll(rules.firstWords(category)));
-    return next;
+    next.removeIf(word -> !word.startsWith(begin));
+    int size = words.size();
+    for (int from = size; from >= 0 && size - from < lexicon.longest(); from--) {
+      next.addAll(
+          lexicon.next(words.subList(from, size), columns.get(from)::predicts, begin, most));
+    }
+    return next.stream().filter(Chart::isOneWord).limit(most).toList();
+  }
+
+  /** Whether people would write it by itself. */
+  private static boolean isOneWord(String word) {
+    return word.codePoints().allMatch(c -> Character.isLetterOrDigit(c) || c == '-' || c == '\'')
+        && Character.isLetterOrDigit(word.codePointAt(0));
   }
 
   private static Optional<String> wordOf(Symbol symbol) {

@@ -32,6 +32,12 @@ public interface WordEntries {
   /** Of how many words the longest entry is. */
   int longest();
 
-  /** All categories of entries. */
-  Set<String> categories();
+  /**
+   * Words with which an entry of such a category goes on, or begins.
+   *
+   * @param words with which it has begun; none: it is to begin
+   * @param begin of the words that are wanted
+   * @param most so many at most
+   */
+  Set<String> next(List<String> words, Predicate<String> categories, String begin, int most);
 }

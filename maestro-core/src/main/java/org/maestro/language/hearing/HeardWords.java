@@ -358,6 +358,16 @@ public final class HeardWords {
     return chart;
   }
 
+  /**
+   * Words that could come next, and begin so; none while a word stays unplaced.
+   *
+   * @param begin of them; "" of whichever
+   * @param most so many at most
+   */
+  public List<String> next(String begin, int most) {
+    return isBlocked() ? List.of() : chart.next(begin, most);
+  }
+
   /** How often the speaker has taken something back. */
   public int repairs() {
     return repairs;

@@ -74,36 +74,22 @@ public final class Lexicon implements WordEntries {
 
   private static final Pattern FIGURES_OF_TIME = Pattern.compile("([01]?\\d|2[0-3]):[0-5]\\d");
   private static final int LONGEST_NUMBER = 6;
-  private static final Set<String> CATEGORIES =
-      Set.of(
-          NAME,
-          NOUN,
-          NOUNS,
-          ADJECTIVE,
-          PREPOSITION,
-          FLUENT,
-          MORE,
-          LESS,
-          HOW_MUCH,
-          HIGH,
-          LOW,
-          OPENING,
-          STATE,
-          STATE_FORM,
-          NAME_OWNING,
-          SCRIPT,
-          NUMBER,
-          TIME,
-          ANY);
-
   private final Map<List<String>, Map<String, List<Form>>> entries;
   private final Map<List<String>, Set<String>> beginnings = new HashMap<>();
+  private final FollowingWords following = new FollowingWords();
   private final NumberWords numbers;
   private final Set<String> words = new HashSet<>();
   private final Set<List<String>> subordinating;
   private final int longest;
 
-  Lexicon(Map<List<String>, Map<String, List<Form>>> entries, Grammar grammar) {
+  /**
+   * @param present whether there is anything of which an entry speaks; what speaks of nothing is
+   *     understood, and not suggested
+   */
+  Lexicon(
+      Map<List<String>, Map<String, List<Form>>> entries,
+      Grammar grammar,
+      Predicate<Form> present) {
     this.entries = entries;
     this.numbers =
         new NumberWords(
@@ -120,6 +106,15 @@ public final class Lexicon implements WordEntries {
             .addAll(entry.getValue().keySet());
       }
     }
+    entries.forEach(
+        (written, meanings) ->
+            meanings.forEach(
+                (category, forms) -> {
+                  if (forms.stream().anyMatch(present)) {
+                    following.add(written, category);
+                  }
+                }));
+    numbers.words().forEach(word -> following.add(List.of(word), NUMBER));
     this.longest = most;
   }
 
@@ -162,8 +157,9 @@ public final class Lexicon implements WordEntries {
   }
 
   @Override
-  public Set<String> categories() {
-    return CATEGORIES;
+  public Set<String> next(
+      List<String> words, Predicate<String> categories, String begin, int most) {
+    return following.after(words, categories, begin, most);
   }
 
   /** Whether the word is one of an entry. */

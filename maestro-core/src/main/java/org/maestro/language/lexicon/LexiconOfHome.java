@@ -2,6 +2,7 @@ package org.maestro.language.lexicon;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -65,7 +66,10 @@ public final class LexiconOfHome {
     states.forEach(
         (name, said) -> attributes.put(name, said.stream().flatMap(this::formsOf).toList()));
     grouped(Lexicon.STATE_FORM, "state", attributes);
-    return new Lexicon(entries, grammar);
+    Set<String> classes = new HashSet<>();
+    home.individuals().values().forEach(one -> classes.addAll(one.classes()));
+    return new Lexicon(
+        entries, grammar, form -> !form.is("noun") || classes.contains(form.text(0)));
   }
 
   /** Things that are called the same are one entry: which of them is meant shows later. */

@@ -34,6 +34,11 @@ final class NumberWords {
     this.turning = turning;
   }
 
+  /** The words of which numbers are made. */
+  Set<String> words() {
+    return values.keySet();
+  }
+
   /** The number that these words are, all of them together. */
   OptionalDouble value(List<String> words) {
     if (words.size() == 1 && FIGURES.matcher(words.get(0)).matches()) {

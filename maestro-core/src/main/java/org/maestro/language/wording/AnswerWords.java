@@ -31,7 +31,20 @@ public final class AnswerWords {
    * @param binding what stands for the variables that were asked for: names, numbers, texts
    * @param ageSeconds how long ago it was known
    */
-  public record Found(Truth truth, Map<String, String> binding, OptionalDouble ageSeconds) {}
+  public record Found(Truth truth, Map<String, String> binding, OptionalDouble ageSeconds) {
+
+    /**
+     * The same, where only what was seen grows old: what a device tells of itself is so until it
+     * tells otherwise.
+     *
+     * @param kind in which way the oldest of what it rests on is known, in small letters
+     */
+    public static Found of(
+        Truth truth, Map<String, String> binding, String kind, OptionalDouble ageSeconds) {
+      return new Found(
+          truth, binding, kind.equals("observed") ? ageSeconds : OptionalDouble.empty());
+    }
+  }
 
   /** The sentence; of yes and no, of what was asked for, or that nobody knows. */
   public String of(List<Found> answers) {

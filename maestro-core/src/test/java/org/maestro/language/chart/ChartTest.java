@@ -7,12 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.GrammarReader;
 
 /** A chart grows with each word that fits, and is cut back. */
 class ChartTest {
+  private static final int MOST = 10;
   private static final String GRAMMAR =
       """
       language xx
@@ -59,8 +61,14 @@ class ChartTest {
     }
 
     @Override
-    public Set<String> categories() {
-      return Set.of("Noun", ANY);
+    public Set<String> next(
+        List<String> words, Predicate<String> categories, String begin, int most) {
+      return entries.keySet().stream()
+          .filter(entry -> categories.test("Noun") && entry.size() > words.size())
+          .filter(entry -> entry.subList(0, words.size()).equals(words))
+          .map(entry -> entry.get(words.size()))
+          .filter(word -> word.startsWith(begin))
+          .collect(Collectors.toSet());
     }
   }
 
@@ -159,13 +167,16 @@ class ChartTest {
 
   @Test
   void whatCouldComeNextIsKnown() {
-    assertThat(chart(form -> true).predictedWords()).containsExactly("say", "take");
+    assertThat(chart(form -> true).next("", MOST)).containsExactly("say", "take");
     Chart chart = after("take the");
-    assertThat(chart.predictedEntries()).containsExactly("Noun");
+    assertThat(chart.next("", MOST)).containsExactly("coffee", "cup", "table");
+    assertThat(chart.next("c", 1)).containsExactly("coffee");
+    assertThat(after("take the coffee").next("", MOST)).containsExactly("table");
     assertThat(chart.predicts("Noun")).isTrue();
     assertThat(chart.predicts("Where")).isFalse();
     chart.extend("cup");
-    assertThat(chart.predictedWords()).containsExactly("and", "on", "to");
+    assertThat(chart.next("", MOST)).containsExactly("and", "on", "to");
+    assertThat(chart.next("t", MOST)).containsExactly("to");
   }
 
   @Test

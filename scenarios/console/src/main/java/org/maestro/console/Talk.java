@@ -15,7 +15,7 @@ import org.maestro.console.chat.WrittenInterlocutor;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.platform.MaestroPlatform;
 
-/** The conversations with persons of the home, for who takes part in them. */
+/** The dialogues with persons of the home, for who takes part in them. */
 final class Talk implements AutoCloseable {
   private final MaestroPlatform platform;
   private final Readership readership;
@@ -38,14 +38,14 @@ final class Talk implements AutoCloseable {
     this.chat =
         new Chat(
             platform.knowledge()::home,
-            () ->
+            person ->
                 new WrittenInterlocutor(
                     platform.knowledge()::home,
-                    platform.knowledge()::snapshot,
-                    platform::instant,
+                    platform.dialogues().with(person),
                     questions,
                     stories),
             questions::answer,
+            platform.dialogues(),
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);
   }

@@ -2,7 +2,9 @@ package org.maestro.junit;
 
 import java.net.URI;
 import java.time.Duration;
+import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.assembly.LocalSite;
@@ -24,15 +26,19 @@ import org.maestro.sl.SlSyntaxException;
  */
 public final class Stage implements AutoCloseable {
 
+  private static final Duration LONGEST_SILENCE = Duration.ofHours(2);
   private static final Duration PATIENCE = Duration.ofMinutes(10);
   private static final Duration PACED_PATIENCE = Duration.ofMinutes(1);
 
   private final LocalSite site;
   private final Duration patience;
+  private final Duration listening;
+  private final Map<String, Speaker> speakers = new TreeMap<>();
 
   Stage(LocalSite site, Duration patience) {
     this.site = site;
     this.patience = patience;
+    this.listening = site.clock().isStepped() ? LONGEST_SILENCE : patience;
   }
 
   /**
@@ -84,6 +90,11 @@ public final class Stage implements AutoCloseable {
   /** States a goal of which more is said, such as its priority, and leaves it under way. */
   public Pursuit begin(AskedGoal goal) {
     return Pursuit.begin(site, goal, patience);
+  }
+
+  /** A person of the home, by her name there, who speaks; each time the same. */
+  public Speaker speaker(String person) {
+    return speakers.computeIfAbsent(person, name -> new Speaker(site, name, listening).listening());
   }
 
   /** What the platform knows. */

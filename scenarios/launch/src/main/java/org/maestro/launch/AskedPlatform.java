@@ -15,7 +15,7 @@ import org.maestro.platform.JoinedContainer;
 
 /**
  * A platform to which questions are put: by its console, which answers at once, or, where there is
- * none, by an agent of this process. One thread only.
+ * none, by an agent of this process. Any thread may ask; one after the other is answered.
  */
 final class AskedPlatform implements AutoCloseable {
   private final Optional<Questions> console;
@@ -36,7 +36,7 @@ final class AskedPlatform implements AutoCloseable {
    *
    * @throws CommandException when it is refused, or nobody answers
    */
-  <T> T answer(Function<Questions, CompletableFuture<T>> question) {
+  synchronized <T> T answer(Function<Questions, CompletableFuture<T>> question) {
     if (console.isPresent()) {
       try {
         return answer(question, console.get());

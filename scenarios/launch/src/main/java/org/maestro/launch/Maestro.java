@@ -37,6 +37,7 @@ import picocli.CommandLine.Spec;
       WordsCommand.class,
       UnderstandCommand.class,
       SayCommand.class,
+      ChatCommand.class,
       SlCommand.class,
       WhyCommand.class,
       TraceCommand.class,

@@ -1,14 +1,10 @@
 package org.maestro.launch;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.maestro.console.questions.Questions;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -30,9 +26,6 @@ import picocli.CommandLine.Spec;
 final class SayCommand implements Callable<Integer> {
   private static final long LOOK_EVERY_MILLIS = 200;
 
-  /** So often nothing new has to come after an answer; then it was the whole. */
-  private static final int QUIET_LOOKS = 3;
-
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
 
@@ -45,66 +38,25 @@ final class SayCommand implements Callable<Integer> {
   @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
   private String room;
 
-  private final Set<String> pursued = new LinkedHashSet<>();
-  private int code = ExitCode.DONE;
-  private boolean answered;
-
   @Override
   public Integer call() throws InterruptedException {
     PrintWriter out = spec.commandLine().getOut();
     try (AskedPlatform asked = platform.ask()) {
-      long last =
-          asked
-              .answer(questions -> questions.say(person, room, String.join(" ", words)))
-              .path("number")
-              .asLong();
-      int quiet = 0;
-      while (!pursued.isEmpty() || !answered || quiet < QUIET_LOOKS) {
-        long seen = last;
-        for (JsonNode entry : asked.answer(Questions::said).path("entries")) {
-          long number = entry.path("number").asLong();
-          if (number > seen) {
-            last = number;
-            if (entry.path("person").asText().equals(person)) {
-              tell(entry, out);
-            }
-          }
-        }
-        quiet = last == seen ? quiet + 1 : 0;
+      Conversing conversation =
+          new Conversing(
+              asked,
+              person,
+              room,
+              line -> {
+                out.println(line);
+                out.flush();
+              });
+      conversation.say(String.join(" ", words));
+      while (!conversation.isAnswered() || conversation.isPursued()) {
+        conversation.look();
         new CountDownLatch(1).await(LOOK_EVERY_MILLIS, TimeUnit.MILLISECONDS);
       }
+      return conversation.code();
     }
-    return code;
-  }
-
-  private void tell(JsonNode entry, PrintWriter out) {
-    String goal = entry.path("goal").asText("");
-    String text = entry.path("text").asText();
-    switch (entry.path("kind").asText()) {
-      case "understood" -> {
-        pursued.add(goal);
-        answered = true;
-        out.println(goal + ": " + text);
-      }
-      case "reached", "ended" -> {
-        if (pursued.remove(goal) && entry.path("kind").asText().equals("ended")) {
-          code = ExitCode.NOT_REACHED;
-        }
-        out.println(text);
-      }
-      case "misunderstood" -> {
-        answered = true;
-        code = ExitCode.BAD_INPUT;
-        out.println(text);
-      }
-      case "said" -> {
-        // One's own words, and those of who speaks as the same person elsewhere.
-      }
-      default -> {
-        answered = answered || goal.isEmpty();
-        out.println(text);
-      }
-    }
-    out.flush();
   }
 }

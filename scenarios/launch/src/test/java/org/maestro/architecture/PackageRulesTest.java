@@ -26,6 +26,7 @@ class PackageRulesTest {
     "org.maestro.coordination..",
     "org.maestro.members..",
     "org.maestro.language..",
+    "org.maestro.dialogue..",
     "org.maestro.deployment..",
     "org.maestro.storage..",
     "org.maestro.text..",
@@ -199,6 +200,8 @@ class PackageRulesTest {
               "org.maestro.knowledge..",
               "org.maestro.planning..",
               "org.maestro.coordination..",
+              "org.maestro.language..",
+              "org.maestro.dialogue..",
               "org.maestro.deployment..")
           .should()
           .dependOnClassesThat()

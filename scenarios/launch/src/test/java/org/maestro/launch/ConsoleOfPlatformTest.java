@@ -74,6 +74,62 @@ class ConsoleOfPlatformTest {
     }
   }
 
+  /** Lines that come in are said one after the other, each when the one before is answered. */
+  @Test
+  void linesOfAPipeAreSaidOneAfterTheOther() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      await(platform, SERVED);
+
+      JavaProcess.Ended ended =
+          chat("printf 'turn on lamp A1\\n\\nwhere is Rose?\\nblorp\\nexit\\nnot said\\n'");
+      assertThat(ended.exitCode()).as(ended.errors()).isZero();
+      assertThat(ended.output().lines())
+          .contains("Room B.", "I do not know the word \"blorp\".")
+          .noneMatch(line -> line.contains("not said"));
+      assertThat(ended.output().indexOf("(= (level lamp-a1) 1)"))
+          .isNotNegative()
+          .isLessThan(ended.output().indexOf("Room B."));
+      assertThat(chat("printf 'where is Rose?'").output()).isEqualTo("Room B.\n");
+      try (JavaProcess nobody = maestro(List.of("chat", "--as", "Bo", "--in", "room-a"))) {
+        assertThat(nobody.await(LIMIT).errors()).contains("write Bob, if that is meant");
+      }
+    }
+  }
+
+  @Test
+  void aPlatformThatGoesAwayEndsTheConversationInOneSentence() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      await(platform, SERVED);
+      try (JavaProcess chat = talking("printf 'where is Rose?\\n'; exec tail -f /dev/null")) {
+        Awaitility.await().atMost(LIMIT).until(() -> chat.output().contains("Room B."));
+        platform.kill();
+        JavaProcess.Ended ended = chat.await(LIMIT);
+        assertThat(ended.exitCode()).isEqualTo(ExitCode.OUTSIDE);
+        assertThat(ended.output())
+            .isEqualTo(
+                "Room B.\nThe platform does not answer any more; the conversation is over.\n");
+        assertThat(ended.errors()).isEmpty();
+      }
+    }
+  }
+
+  private JavaProcess.Ended chat(String input) throws Exception {
+    try (JavaProcess chat = talking(input)) {
+      return chat.await(LIMIT);
+    }
+  }
+
+  /**
+   * @param input what the shell does to make it
+   */
+  private JavaProcess talking(String input) throws IOException {
+    return JavaProcess.start(
+        List.of("bash", "-c", "exec \"$0\" \"$@\" < <(" + input + ")"),
+        Maestro.class.getName(),
+        List.of("chat", "--as", "Bob", "--in", "room-a"),
+        Map.of("XDG_RUNTIME_DIR", directory.toString()));
+  }
+
   private static List<String> requests() throws IOException {
     return Files.readAllLines(DOCS.resolve("guide-console.md")).stream()
         .map(String::strip)

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.maestro.console.api.Operation;
 import org.maestro.console.documents.JsonMembers;
@@ -19,9 +20,10 @@ import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.dialogue.Dialogues;
+import org.maestro.dialogue.Utterance;
+import org.maestro.dialogue.UtteranceCheck;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Individual;
-import org.maestro.ontology.validation.Nearest;
 import org.maestro.rats.security.Role;
 
 /**
@@ -32,32 +34,33 @@ import org.maestro.rats.security.Role;
 public final class Chat implements Source {
   private static final int CREATED = 201;
   private static final int MOST = 2_000;
+  private static final int MOST_NEXT = 100;
   private static final long HEAVIEST = 2_000_000;
-  private static final int MOST_CHARACTERS = 2_000;
-  private static final String PERSON = "Person";
-  private static final String ROOM = "Room";
 
   private final Supplier<Home> home;
-  private final Supplier<Interlocutor> partners;
+  private final Function<String, Interlocutor> partners;
   private final Answering answering;
-  private final AskedQuestions asked = new AskedQuestions();
+  private final Dialogues dialogues;
   private final InstantSource wall;
   private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
   private final Map<String, Interlocutor> partnerByPerson = new TreeMap<>();
 
   /**
    * @param home as it is known at the time
-   * @param partners makes who answers a person
+   * @param partners makes who answers the person of that name
    * @param answering where answers to questions of scripts go
+   * @param dialogues what persons have said before, and scripts have asked
    */
   public Chat(
       Supplier<Home> home,
-      Supplier<Interlocutor> partners,
+      Function<String, Interlocutor> partners,
       Answering answering,
+      Dialogues dialogues,
       InstantSource wall) {
     this.home = home;
     this.partners = partners;
     this.answering = answering;
+    this.dialogues = dialogues;
     this.wall = wall;
   }
 
@@ -74,60 +77,68 @@ public final class Chat implements Source {
             .taking("chat-request")
             .answering(CREATED, "chat-accepted"),
         Operation.get(
-            "/chat",
-            "chat",
-            "What was said lately, by whom in which room, and what became of it.",
-            "chat",
-            request -> CompletableFuture.completedFuture(all())));
+                "/chat",
+                "chat",
+                "What was said lately, by whom in which room, and what became of it.",
+                "chat",
+                request ->
+                    CompletableFuture.completedFuture(
+                        between(request.number("after").orElse(0), latest())))
+            .with(
+                Operation.Parameter.number(
+                    "after", "Only what has a higher number; without, all that is kept.")),
+        Operation.get(
+                "/chat/words",
+                "nextWords",
+                "Words with which what a person writes could go on.",
+                "chat-words",
+                request -> CompletableFuture.completedFuture(next(request)))
+            .with(
+                Operation.Parameter.query("person", "Who writes."),
+                Operation.Parameter.query("room", "In which room."),
+                Operation.Parameter.query(
+                    "text", "What is written so far; it may end in a word.")));
   }
 
   private Utterance read(Operation.Request request) {
     JsonNode body = request.body();
-    if (body.path("text").asText().length() > MOST_CHARACTERS) {
-      throw RefusalException.badInput(
-          "That is longer than %d characters; say less at once.".formatted(MOST_CHARACTERS));
-    }
-    return new Utterance(
-        known(body.path("person").asText(), PERSON, "person"),
-        known(body.path("room").asText(), ROOM, "room"),
-        body.path("text").asText(),
-        request.visit().person());
+    return checked(
+        new Utterance(
+            body.path("person").asText(),
+            body.path("room").asText(),
+            body.path("text").asText(),
+            request.visit().person()));
   }
 
-  private String known(String name, String className, String what) {
-    List<String> names = names(className);
-    if (!names.contains(name)) {
-      throw RefusalException.badInput(
-          "This home has no %s %s; %s."
-              .formatted(
-                  what,
-                  name,
-                  Nearest.cure(
-                      name,
-                      names,
-                      names.isEmpty() ? "give it one" : "it has " + String.join(", ", names))));
-    }
-    return name;
+  private JsonNode next(Operation.Request request) {
+    Utterance begun =
+        checked(
+            new Utterance(
+                request.parameter("person"),
+                request.parameter("room"),
+                request.parameter("text"),
+                request.visit().person()));
+    return JsonMembers.empty()
+        .words("words", dialogues.with(begun.person()).next(begun, MOST_NEXT))
+        .node();
   }
 
-  private List<String> names(String className) {
-    return home.get().individuals().values().stream()
-        .filter(one -> one.classes().contains(className))
-        .map(Individual::name)
-        .toList();
+  private Utterance checked(Utterance utterance) {
+    new UtteranceCheck(home.get())
+        .objection(utterance)
+        .ifPresent(
+            sentence -> {
+              throw RefusalException.badInput(sentence);
+            });
+    return utterance;
   }
 
   /** Hands it over; returned is the number under which it is kept. */
   private JsonNode say(Utterance utterance) {
     long number = add(ChatEntry.said(utterance, wall.instant()));
-    Optional<Speech> question = asked.of(utterance).filter(speech -> mayAnswer(utterance.text()));
+    Optional<Speech> question = dialogues.asked().answeredBy(utterance);
     question.ifPresentOrElse(speech -> answer(speech, utterance), () -> understand(utterance));
     return JsonNodeFactory.instance.objectNode().put("number", number);
-  }
-
-  /** What is written as a goal or a question is one. */
-  private static boolean mayAnswer(String text) {
-    return !text.strip().startsWith("(") && !text.strip().startsWith("?");
   }
 
   private void answer(Speech question, Utterance utterance) {
@@ -142,7 +153,7 @@ public final class Chat implements Source {
   }
 
   private void answered(Speech question, Utterance utterance) {
-    asked.over(question);
+    dialogues.asked().over(question);
     tell(
         utterance,
         new ChatEvent.Told(question.goalId(), "That is the answer to: " + question.text()));
@@ -155,7 +166,7 @@ public final class Chat implements Source {
             : failure;
     if (refusal instanceof RefusalException none
         && none.kind() == RefusalException.Kind.NOT_THERE) {
-      asked.over(question);
+      dialogues.asked().over(question);
       understand(utterance);
     } else {
       tell(
@@ -179,10 +190,7 @@ public final class Chat implements Source {
    * the room, is the answer to a question.
    */
   public void hear(Speech speech) {
-    if (speech.wanted().isPresent()) {
-      asked.asked(speech);
-    }
-    boolean isForOne = names(PERSON).contains(speech.to());
+    boolean isForOne = new UtteranceCheck(home.get()).persons().contains(speech.to());
     add(
         ChatEntry.spoken(
             speech, isForOne ? speech.to() : "", isForOne ? "" : speech.to(), wall.instant()));
@@ -194,7 +202,7 @@ public final class Chat implements Source {
   }
 
   private synchronized Interlocutor partner(String person) {
-    return partnerByPerson.computeIfAbsent(person, name -> partners.get());
+    return partnerByPerson.computeIfAbsent(person, partners);
   }
 
   private long add(ChatEntry entry) {

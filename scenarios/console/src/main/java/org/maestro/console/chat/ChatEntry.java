@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.dialogue.Utterance;
 import org.maestro.sl.SlPrinter;
 
 /**

@@ -1,6 +1,7 @@
 package org.maestro.console.chat;
 
 import java.util.function.Consumer;
+import org.maestro.dialogue.Utterance;
 
 /**
  * Somebody who answers one person, and remembers what they have spoken of. Any thread may speak.

@@ -1,7 +1,6 @@
 package org.maestro.console.chat;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.time.Instant;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -17,8 +16,10 @@ import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.dialogue.Reading;
+import org.maestro.dialogue.SpokenWords;
+import org.maestro.dialogue.Utterance;
 import org.maestro.ontology.home.Home;
-import org.maestro.sl.Facts;
 
 /**
  * An interlocutor who understands what people say in their language, and reads goals and questions
@@ -51,17 +52,12 @@ public final class WrittenInterlocutor implements Interlocutor {
 
   /**
    * @param home as it is known at the time
-   * @param facts what is known at the time
-   * @param now the time that clocks on the walls show
+   * @param spoken the conversation with the person who is answered
    */
   public WrittenInterlocutor(
-      Supplier<Home> home,
-      Supplier<? extends Facts> facts,
-      Supplier<Instant> now,
-      AclQuestions questions,
-      GoalStories stories) {
+      Supplier<Home> home, SpokenWords spoken, AclQuestions questions, GoalStories stories) {
     this.home = home;
-    this.spoken = new SpokenWords(home, facts, now);
+    this.spoken = spoken;
     this.questions = questions;
     this.stories = stories;
   }
@@ -81,12 +77,17 @@ public final class WrittenInterlocutor implements Interlocutor {
     } else if (reading instanceof Reading.Counted counted) {
       answer(
           counted.formula(),
-          answers -> spoken.counted(answers, counted.formula()),
+          answers -> spoken.counted(FoundAnswers.of(answers), counted.formula()),
           utterance.asker(),
           listener,
           words);
     } else if (reading instanceof Reading.Asked asked) {
-      answer(asked.formula(), spoken::answer, utterance.asker(), listener, words);
+      answer(
+          asked.formula(),
+          answers -> spoken.answer(FoundAnswers.of(answers)),
+          utterance.asker(),
+          listener,
+          words);
     } else if (reading instanceof Reading.Goal goal) {
       state(goal.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Question question) {
@@ -102,7 +103,7 @@ public final class WrittenInterlocutor implements Interlocutor {
   private SpokenWords.Hearing inWords(Utterance utterance) {
     String text = utterance.text().strip();
     return text.startsWith("(") || text.startsWith("?")
-        ? new SpokenWords.Hearing(Optional.empty(), Optional.empty())
+        ? SpokenWords.Hearing.NONE
         : spoken.read(utterance);
   }
 

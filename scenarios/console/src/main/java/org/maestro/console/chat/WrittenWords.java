@@ -8,6 +8,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.dialogue.Reading;
+import org.maestro.dialogue.Utterance;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.SlParser;

@@ -108,8 +108,15 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<JsonNode> said() {
-    return get("/chat");
+  public CompletableFuture<JsonNode> said(long after) {
+    return get("/chat?after=" + after);
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> nextWords(String person, String room, String text) {
+    return get(
+        "/chat/words?person=%s&room=%s&text=%s"
+            .formatted(encoded(person), encoded(room), encoded(text)));
   }
 
   @Override

@@ -169,11 +169,20 @@ public final class AclQuestions implements Questions {
 
   @Override
   public CompletableFuture<JsonNode> say(String person, String room, String text) {
-    return said();
+    return heardByTheConsole();
   }
 
   @Override
-  public CompletableFuture<JsonNode> said() {
+  public CompletableFuture<JsonNode> said(long after) {
+    return heardByTheConsole();
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> nextWords(String person, String room, String text) {
+    return heardByTheConsole();
+  }
+
+  private static CompletableFuture<JsonNode> heardByTheConsole() {
     return CompletableFuture.failedFuture(
         RefusalException.outside(
             "What people say is heard by the console, which does not answer here; run the platform"

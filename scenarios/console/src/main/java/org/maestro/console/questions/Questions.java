@@ -60,8 +60,15 @@ public interface Questions {
    */
   CompletableFuture<JsonNode> say(String person, String room, String text);
 
-  /** What was said lately, and what became of it. */
-  CompletableFuture<JsonNode> said();
+  /**
+   * What was said lately, and what became of it.
+   *
+   * @param after a number; only what has a higher one
+   */
+  CompletableFuture<JsonNode> said(long after);
+
+  /** Words with which what a person writes could go on. */
+  CompletableFuture<JsonNode> nextWords(String person, String room, String text);
 
   /**
    * Changes which agents there are.

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.assembly.LocalSite;
+import org.maestro.dialogue.Reading;
+import org.maestro.dialogue.Utterance;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 

@@ -1,16 +1,11 @@
-package org.maestro.console.chat;
+package org.maestro.dialogue;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -21,6 +16,7 @@ import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AnswerWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
@@ -33,7 +29,7 @@ import org.maestro.sl.Truth;
  * Reads what a person says in her language, and remembers what was spoken of with her. Any thread
  * may ask.
  */
-final class SpokenWords {
+public final class SpokenWords {
   private static final String LOCATION = "Location";
   private static final int MINUTES_OF_HOUR = 60;
 
@@ -43,6 +39,7 @@ final class SpokenWords {
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
   private String person = "";
+  private Optional<String> room = Optional.empty();
 
   /** The language of a home as it was. */
   private record Spoken(Home home, String tag, Language language) {}
@@ -64,14 +61,22 @@ final class SpokenWords {
    * What words were heard to be.
    *
    * @param reading what is meant, or what is to be asked back; empty when it is not understood
+   * @param message that it means, in MAESTRO-SL
    * @param reply what is to be said when nobody else understands it
    */
-  record Hearing(Optional<Reading> reading, Optional<String> reply) {}
+  public record Hearing(
+      Optional<Reading> reading, Optional<Content> message, Optional<String> reply) {
+    /** Nothing was heard. */
+    public static final Hearing NONE =
+        new Hearing(Optional.empty(), Optional.empty(), Optional.empty());
+  }
 
   /** What is meant. */
-  synchronized Hearing read(Utterance utterance) {
+  public synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
     person = utterance.person();
+    // Who does not say where she is has gone nowhere.
+    room = Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
     Understanding understood =
         language(there, utterance.person())
             .understand(utterance.text(), situation(there, utterance));
@@ -84,7 +89,7 @@ final class SpokenWords {
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
-    return new Hearing(reading, understood.reply());
+    return new Hearing(reading, understood.message(), understood.reply());
   }
 
   /** A greeting is answered, and nothing else comes of it. */
@@ -96,9 +101,19 @@ final class SpokenWords {
         .map(Reading.Said::new);
   }
 
+  /**
+   * Words with which what she is just writing could go on.
+   *
+   * @param most so many at most
+   */
+  public synchronized List<String> next(Utterance begun, int most) {
+    Home there = home.get();
+    return language(there).next(begun.text(), situation(there, begun), most);
+  }
+
   /** What is known of a question that was understood, as people say it. */
-  synchronized String answer(JsonNode document) {
-    return answers().of(found(document));
+  public synchronized String answer(List<AnswerWords.Found> answers) {
+    return answers().of(answers);
   }
 
   /**
@@ -106,8 +121,8 @@ final class SpokenWords {
    *
    * @param formula with the variable that was counted
    */
-  synchronized String counted(JsonNode document, String formula) {
-    return answers().counted(found(document), isKnownOfAll(formula));
+  public synchronized String counted(List<AnswerWords.Found> answers, String formula) {
+    return answers().counted(answers, isKnownOfAll(formula));
   }
 
   /** Whether of nothing it is unknown. */
@@ -126,27 +141,6 @@ final class SpokenWords {
   private AnswerWords answers() {
     Home there = home.get();
     return new AnswerWords(there, language(there, person).grammar());
-  }
-
-  private static List<AnswerWords.Found> found(JsonNode document) {
-    List<AnswerWords.Found> found = new ArrayList<>();
-    for (JsonNode answer : document.path("answers")) {
-      Map<String, String> binding = new LinkedHashMap<>();
-      answer
-          .path("binding")
-          .properties()
-          .forEach(one -> binding.put(one.getKey(), one.getValue().asText()));
-      // What a device tells of itself is so until it tells otherwise.
-      boolean isOld =
-          answer.path("age_s").isNumber()
-              && answer.path("because").path(0).path("kind").asText().equals("observed");
-      found.add(
-          new AnswerWords.Found(
-              Truth.valueOf(answer.path("truth").asText("unknown").toUpperCase(Locale.ROOT)),
-              binding,
-              isOld ? OptionalDouble.of(answer.path("age_s").asDouble()) : OptionalDouble.empty()));
-    }
-    return found;
   }
 
   /** A home that changes is another one: what is in it need not be compared. */
@@ -168,7 +162,7 @@ final class SpokenWords {
         there,
         facts.get(),
         Optional.of(utterance.person()),
-        Optional.of(place(there, utterance.room())),
+        room.map(name -> place(there, name)),
         Optional.empty(),
         OptionalInt.of(time.getHour() * MINUTES_OF_HOUR + time.getMinute()),
         discourse);

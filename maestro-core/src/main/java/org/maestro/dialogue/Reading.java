@@ -1,9 +1,9 @@
-package org.maestro.console.chat;
+package org.maestro.dialogue;
 
 import java.util.List;
 
 /** What an utterance was read as. */
-sealed interface Reading {
+public sealed interface Reading {
 
   /** Something that is to be so, in MAESTRO-SL. */
   record Goal(String formula) implements Reading {}

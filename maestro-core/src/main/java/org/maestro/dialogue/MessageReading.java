@@ -1,4 +1,4 @@
-package org.maestro.console.chat;
+package org.maestro.dialogue;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,0 +1,190 @@
+package org.maestro.agents.centre;
+
+import jade.lang.acl.ACLMessage;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import org.maestro.agents.content.SayWords;
+import org.maestro.agents.content.Words;
+import org.maestro.agents.runtime.Caller;
+import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Speech;
+import org.maestro.dialogue.Dialogues;
+import org.maestro.dialogue.Reading;
+import org.maestro.dialogue.SpokenWords;
+import org.maestro.dialogue.Utterance;
+import org.maestro.dialogue.UtteranceCheck;
+import org.maestro.knowledge.Question;
+import org.maestro.knowledge.api.Answer;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.language.wording.AnswerWords;
+import org.maestro.ontology.home.ReadingRights;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Term;
+
+/**
+ * What people say, as other agents hear it and tell it the central one (ADE, 4.2): goals are taken
+ * on, questions answered, and what could be several things is asked back. Who may have what done or
+ * told is who sends it, whoever is said to speak. Agent thread only.
+ */
+public final class Sayings {
+  private static final int MILLIS_PER_SECOND = 1_000;
+
+  private final MaestroAgent agent;
+  private final KnowledgeBase knowledge;
+  private final GoalRequests requests;
+  private final Dialogues dialogues;
+
+  /**
+   * @param dialogues what was said before, also by other ways
+   */
+  public Sayings(
+      MaestroAgent agent, KnowledgeBase knowledge, GoalRequests requests, Dialogues dialogues) {
+    this.agent = agent;
+    this.knowledge = knowledge;
+    this.requests = requests;
+    this.dialogues = dialogues;
+  }
+
+  /** Something that was said, and who tells it. */
+  private record Said(ACLMessage message, Words words, Caller caller, Utterance utterance) {}
+
+  /** Somebody says something. */
+  public void say(ACLMessage message, Words words) {
+    Optional<String> text = words.terms().stream().findFirst().map(Words::plain);
+    Optional<String> person = words.string("by");
+    if (message.getPerformative() != ACLMessage.REQUEST
+        || text.filter(said -> !said.isBlank()).isEmpty()
+        || person.isEmpty()) {
+      agent.refuse(
+          message,
+          ACLMessage.NOT_UNDERSTOOD,
+          "What is said is told by a request with the words, who speaks, and where, such as"
+              + " (say \"turn on the light\" (:by Bob) (:in livingroom)).");
+      return;
+    }
+    Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
+    Utterance utterance =
+        new Utterance(person.get(), words.string("in").orElse(""), text.get(), caller.user());
+    Optional<String> objection = new UtteranceCheck(knowledge.home()).objection(utterance);
+    if (objection.isPresent()) {
+      agent.refuse(message, ACLMessage.REFUSE, objection.get());
+      return;
+    }
+    Said said = new Said(message, words, caller, utterance);
+    dialogues
+        .asked()
+        .answeredBy(utterance)
+        .ifPresentOrElse(question -> answer(said, question), () -> understand(said));
+  }
+
+  /** It is the answer to a script, if that still waits for one. */
+  private void answer(Said said, Speech question) {
+    if (!requests.mayAsk(said.caller(), said.message())) {
+      return;
+    }
+    requests.answer(
+        question.part(),
+        said.utterance().text(),
+        said.caller(),
+        (performative, contents) -> {
+          boolean isOver = Words.of(contents[0]).string("open").filter("false"::equals).isPresent();
+          if (isOver || performative == ACLMessage.INFORM) {
+            dialogues.asked().over(question);
+          }
+          if (isOver) {
+            understand(said);
+          } else {
+            agent.reply(said.message(), performative, contents);
+          }
+        });
+  }
+
+  private void understand(Said said) {
+    SpokenWords spoken = dialogues.with(said.utterance().person());
+    SpokenWords.Hearing heard = spoken.read(said.utterance());
+    String means = heard.message().map(SlPrinter::print).orElse("");
+    Reading reading = heard.reading().orElse(new Reading.Unclear(notUnderstood(heard), List.of()));
+    if (reading instanceof Reading.Goals goals) {
+      List<Formula> formulas = goals.formulas().stream().map(this::formula).toList();
+      requests.state(
+          said.message(),
+          said.words(),
+          said.caller(),
+          new SaidGoals(
+              formulas,
+              means,
+              (performative, contents) -> agent.reply(said.message(), performative, contents)));
+    } else if (reading instanceof Reading.Asked asked) {
+      tell(said, means, asked.formula(), spoken::answer);
+    } else if (reading instanceof Reading.Counted counted) {
+      tell(said, means, counted.formula(), answers -> spoken.counted(answers, counted.formula()));
+    } else if (reading instanceof Reading.Back back) {
+      agent.reply(said.message(), ACLMessage.INFORM, SayWords.asked(back.text()));
+    } else if (reading instanceof Reading.Said reply) {
+      agent.reply(said.message(), ACLMessage.INFORM, SayWords.replied(means, reply.text()));
+    } else if (reading instanceof Reading.Unclear unclear) {
+      agent.refuse(said.message(), ACLMessage.REFUSE, unclear.why());
+    }
+  }
+
+  /** Why nothing comes of it. */
+  private static String notUnderstood(SpokenWords.Hearing heard) {
+    return heard
+        .message()
+        .map(
+            message ->
+                "That means %s, and nothing can be done about it here."
+                    .formatted(SlPrinter.print(message)))
+        .or(heard::reply)
+        .orElse("That is not understood; say it in other words.");
+  }
+
+  private Formula formula(String text) {
+    return SlParser.formula(text, knowledge.home().vocabulary()::isFluent);
+  }
+
+  private void tell(
+      Said said, String means, String asked, Function<List<AnswerWords.Found>, String> sentence) {
+    Formula formula = formula(asked);
+    ReadingRights rights = requests.rights(said.message(), said.words());
+    Optional<String> objection = rights.objection(formula);
+    if (objection.isPresent()) {
+      agent.refuse(said.message(), ACLMessage.REFUSE, objection.get());
+      return;
+    }
+    Question question = new Question(knowledge.snapshot(), rights);
+    List<Answer> bound = question.answerRef(formula);
+    List<Answer> answers = bound.isEmpty() ? List.of(question.answerIf(formula)) : bound;
+    agent.reply(
+        said.message(),
+        ACLMessage.INFORM,
+        SayWords.replied(means, sentence.apply(answers.stream().map(Sayings::found).toList())));
+  }
+
+  private static AnswerWords.Found found(Answer answer) {
+    Map<String, String> binding = new LinkedHashMap<>();
+    answer.binding().forEach((name, value) -> binding.put(name, plain(value)));
+    return AnswerWords.Found.of(
+        answer.truth(),
+        binding,
+        answer.because().stream()
+            .findFirst()
+            .map(belief -> belief.source().kind().name().toLowerCase(Locale.ROOT))
+            .orElse(""),
+        answer
+            .age()
+            .map(age -> OptionalDouble.of((double) age.toMillis() / MILLIS_PER_SECOND))
+            .orElse(OptionalDouble.empty()));
+  }
+
+  private static String plain(Term value) {
+    return Words.plain(value);
+  }
+}

@@ -1,0 +1,47 @@
+package org.maestro.dialogue;
+
+import java.time.Instant;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.maestro.ontology.home.Home;
+import org.maestro.sl.Facts;
+
+/**
+ * The dialogues of a home, one for each person: who goes on elsewhere, or by another way, goes on
+ * where she was. Any thread may ask.
+ */
+public final class Dialogues {
+  private final Supplier<Home> home;
+  private final Supplier<? extends Facts> facts;
+  private final Supplier<Instant> now;
+  private final Map<String, SpokenWords> spokenByPerson = new TreeMap<>();
+  private final AskedQuestions asked = new AskedQuestions();
+
+  /**
+   * Nobody has said anything yet.
+   *
+   * @param home as it is known at the time
+   * @param facts what is known at the time
+   * @param now the time that clocks on the walls show
+   */
+  public Dialogues(Supplier<Home> home, Supplier<? extends Facts> facts, Supplier<Instant> now) {
+    this.home = home;
+    this.facts = facts;
+    this.now = now;
+  }
+
+  /**
+   * The one with her.
+   *
+   * @param person one of the home: for each other a conversation would be kept, too
+   */
+  public synchronized SpokenWords with(String person) {
+    return spokenByPerson.computeIfAbsent(person, name -> new SpokenWords(home, facts, now));
+  }
+
+  /** The questions that scripts have asked. */
+  public AskedQuestions asked() {
+    return asked;
+  }
+}
