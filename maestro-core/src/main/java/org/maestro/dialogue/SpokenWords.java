@@ -108,7 +108,7 @@ public final class SpokenWords {
    */
   public synchronized List<String> next(Utterance begun, int most) {
     Home there = home.get();
-    return language(there).next(begun.text(), situation(there, begun), most);
+    return language(there, begun.person()).next(begun.text(), situation(there, begun), most);
   }
 
   /** What is known of a question that was understood, as people say it. */

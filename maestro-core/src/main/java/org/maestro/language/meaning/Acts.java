@@ -39,8 +39,7 @@ final class Acts {
     this.questions = new Questions(situation, references, states, measures, this);
   }
 
-  static Acts in(
-      Situation situation, NounPhrases phrases, Settables settables, Set<String> idle) {
+  static Acts in(Situation situation, NounPhrases phrases, Settables settables, Set<String> idle) {
     return new Acts(situation, new References(phrases, settables), idle);
   }
 

@@ -104,9 +104,7 @@ final class Settables {
 
   private void index() {
     for (Device device : home.devices().values()) {
-      device
-          .features()
-          .forEach(feature -> index(feature.effect(), device.individual().name()));
+      device.features().forEach(feature -> index(feature.effect(), device.individual().name()));
     }
   }
 

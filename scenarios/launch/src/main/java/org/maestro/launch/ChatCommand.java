@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
@@ -49,7 +50,7 @@ final class ChatCommand implements Callable<Integer> {
   }
 
   private Keyboard keyboard(AskedPlatform asked) throws IOException {
-    if (System.console() != null) {
+    if (Optional.ofNullable(System.console()).isPresent()) {
       Terminal terminal = TerminalBuilder.builder().dumb(true).build();
       if (!terminal.getType().startsWith(Terminal.TYPE_DUMB)) {
         return new TerminalKeyboard(terminal, person + "> ", text -> suggested(asked, text));

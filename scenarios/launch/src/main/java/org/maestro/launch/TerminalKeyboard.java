@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jline.reader.Candidate;
@@ -55,7 +56,8 @@ final class TerminalKeyboard implements Keyboard {
             .variable(LineReader.BELL_STYLE, "none")
             .build();
     reader.setAutosuggestion(LineReader.SuggestionType.COMPLETER);
-    Widget completion = reader.getWidgets().get(LineReader.EXPAND_OR_COMPLETE);
+    Widget completion =
+        Objects.requireNonNull(reader.getWidgets().get(LineReader.EXPAND_OR_COMPLETE));
     reader.getWidgets().put(LineReader.EXPAND_OR_COMPLETE, () -> asked(completion));
   }
 

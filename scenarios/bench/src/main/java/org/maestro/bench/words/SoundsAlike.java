@@ -53,8 +53,8 @@ public final class SoundsAlike {
   /** Vowels are all alike, letters of a group too; what is doubled sounds once. */
   private static String sounds(String word) {
     StringBuilder sounds = new StringBuilder();
-    for (char letter : word.toCharArray()) {
-      char sound = sound(letter);
+    for (int i = 0; i < word.length(); i++) {
+      char sound = sound(word.charAt(i));
       if (sounds.isEmpty() || sounds.charAt(sounds.length() - 1) != sound) {
         sounds.append(sound);
       }
