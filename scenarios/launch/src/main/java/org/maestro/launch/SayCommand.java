@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -45,6 +46,12 @@ final class SayCommand implements Callable<Integer> {
   @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
   private String room;
 
+  @Option(
+      names = "--language",
+      paramLabel = "TAG",
+      description = "In which language: en or de; that of the person or of the home unless stated.")
+  private Optional<String> language = Optional.empty();
+
   private final Set<String> pursued = new LinkedHashSet<>();
   private int code = ExitCode.DONE;
   private boolean answered;
@@ -55,7 +62,7 @@ final class SayCommand implements Callable<Integer> {
     try (AskedPlatform asked = platform.ask()) {
       long last =
           asked
-              .answer(questions -> questions.say(person, room, String.join(" ", words)))
+              .answer(questions -> questions.say(person, room, String.join(" ", words), language))
               .path("number")
               .asLong();
       int quiet = 0;

@@ -19,6 +19,7 @@ import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
+import org.maestro.language.Language;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.validation.Nearest;
@@ -91,7 +92,17 @@ public final class Chat implements Source {
         known(body.path("person").asText(), PERSON, "person"),
         known(body.path("room").asText(), ROOM, "room"),
         body.path("text").asText(),
-        request.visit().person());
+        request.visit().person(),
+        spoken(body.path("language").asText("")));
+  }
+
+  private static Optional<String> spoken(String tag) {
+    if (!tag.isEmpty() && !Language.isShipped(tag)) {
+      throw RefusalException.badInput(
+          "Nobody here understands the language %s; say it in one that is shipped, such as de."
+              .formatted(tag));
+    }
+    return Optional.of(tag).filter(one -> !one.isEmpty());
   }
 
   private String known(String name, String className, String what) {

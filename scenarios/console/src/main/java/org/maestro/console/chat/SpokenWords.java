@@ -42,7 +42,7 @@ final class SpokenWords {
   private final Supplier<Instant> now;
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
-  private String person = "";
+  private Optional<Utterance> latest = Optional.empty();
 
   /** The language of a home as it was. */
   private record Spoken(Home home, String tag, Language language) {}
@@ -71,10 +71,9 @@ final class SpokenWords {
   /** What is meant. */
   synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
-    person = utterance.person();
+    latest = Optional.of(utterance);
     Understanding understood =
-        language(there, utterance.person())
-            .understand(utterance.text(), situation(there, utterance));
+        language(there).understand(utterance.text(), situation(there, utterance));
     Optional<Reading> reading =
         understood
             .message()
@@ -125,7 +124,7 @@ final class SpokenWords {
 
   private AnswerWords answers() {
     Home there = home.get();
-    return new AnswerWords(there, language(there, person).grammar());
+    return new AnswerWords(there, language(there).grammar());
   }
 
   private static List<AnswerWords.Found> found(JsonNode document) {
@@ -151,8 +150,11 @@ final class SpokenWords {
 
   /** A home that changes is another one: what is in it need not be compared. */
   @SuppressWarnings("ReferenceEquality")
-  private Language language(Home there, String person) {
-    String tag = Language.spoken(there, Optional.of(person));
+  private Language language(Home there) {
+    String tag =
+        latest
+            .flatMap(Utterance::language)
+            .orElseGet(() -> Language.spoken(there, latest.map(Utterance::person)));
     Spoken known =
         spoken
             .filter(one -> one.home() == there && one.tag().equals(tag))
