@@ -38,7 +38,7 @@ public final class SpokenWords {
   private final Supplier<Instant> now;
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
-  private String person = "";
+  private Optional<Utterance> latest = Optional.empty();
   private Optional<String> room = Optional.empty();
 
   /** The language of a home as it was. */
@@ -74,12 +74,11 @@ public final class SpokenWords {
   /** What is meant. */
   public synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
-    person = utterance.person();
+    latest = Optional.of(utterance);
     // Who does not say where she is has gone nowhere.
     room = Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
     Understanding understood =
-        language(there, utterance.person())
-            .understand(utterance.text(), situation(there, utterance));
+        language(there).understand(utterance.text(), situation(there, utterance));
     Optional<Reading> reading =
         understood
             .message()
@@ -108,7 +107,7 @@ public final class SpokenWords {
    */
   public synchronized List<String> next(Utterance begun, int most) {
     Home there = home.get();
-    return language(there, begun.person()).next(begun.text(), situation(there, begun), most);
+    return language(there).next(begun.text(), situation(there, begun), most);
   }
 
   /** What is known of a question that was understood, as people say it. */
@@ -140,13 +139,16 @@ public final class SpokenWords {
 
   private AnswerWords answers() {
     Home there = home.get();
-    return new AnswerWords(there, language(there, person).grammar());
+    return new AnswerWords(there, language(there).grammar());
   }
 
   /** A home that changes is another one: what is in it need not be compared. */
   @SuppressWarnings("ReferenceEquality")
-  private Language language(Home there, String person) {
-    String tag = Language.spoken(there, Optional.of(person));
+  private Language language(Home there) {
+    String tag =
+        latest
+            .flatMap(Utterance::language)
+            .orElseGet(() -> Language.spoken(there, latest.map(Utterance::person)));
     Spoken known =
         spoken
             .filter(one -> one.home() == there && one.tag().equals(tag))

@@ -71,14 +71,15 @@ public final class Language {
     return home.wording().languageOf(person.orElse("")).filter(Language::isShipped).orElse(USUAL);
   }
 
-  private static boolean isShipped(String tag) {
+  /** Whether the language of that tag comes with the platform. */
+  public static boolean isShipped(String tag) {
     return TAG.matcher(tag).matches() && Language.class.getResource(tag + ENDING) != null;
   }
 
   private static String shipped(String tag) {
     if (!isShipped(tag)) {
       throw new IllegalArgumentException(
-          "There is no grammar for the language %s; say en, de, or name a file such as nl.grammar."
+          "There is no grammar for the language %s; name one that is shipped, such as de, or a file such as nl.grammar."
               .formatted(tag));
     }
     try (InputStream stream = Language.class.getResourceAsStream(tag + ENDING)) {

@@ -115,7 +115,7 @@ public final class HeardWords {
     while (!blocked && chart.complete().isEmpty() && letGo()) {
       repairing = false;
     }
-    if (!blocked && chart.complete().isEmpty() && !goesOnAsBefore()) {
+    if (!blocked && chart.complete().isEmpty() && !goesOnAsBefore() && !isWholeWithoutBreaths()) {
       resumption.ifPresent(this::goOnEarlier);
     }
     if (chart.complete().isEmpty()) {
@@ -171,6 +171,11 @@ public final class HeardWords {
       heard.add(new Heard(word, Heard.Fate.FILLER));
       return;
     }
+    if (!blocked && repairing && isSaidAgain(word)) {
+      heard.add(new Heard(word, Heard.Fate.TAKEN));
+      taken(word);
+      return;
+    }
     // After a repair, a word is not one of whichever words that somebody is to be told.
     if (!blocked && chart.extend(word, !repairing)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
@@ -180,6 +185,9 @@ public final class HeardWords {
     List<String> alone = List.of(word);
     if (mayHold && begins(alone)) {
       held = alone;
+      return;
+    }
+    if (!blocked && letGoWith(word)) {
       return;
     }
     if (isListed("repair", alone)) {
@@ -225,6 +233,24 @@ public final class HeardWords {
     return false;
   }
 
+  /** The word may be the last of several that begin a repair, of which the others had a place. */
+  private boolean letGoWith(String word) {
+    List<String> words = chart.words();
+    for (int size = 1; size <= Math.min(2, words.size()); size++) {
+      List<String> others = List.copyOf(words.subList(words.size() - size, words.size()));
+      List<String> all = new ArrayList<>(others);
+      all.add(word);
+      if (isListed("repair", all)) {
+        chart.cut(words.size() - size);
+        renote(others, Heard.Fate.REPAIR);
+        heard.add(new Heard(word, Heard.Fate.REPAIR));
+        repair();
+        return true;
+      }
+    }
+    return false;
+  }
+
   private void renote(List<String> words, Heard.Fate fate) {
     int at = heard.size() - 1;
     for (int i = words.size() - 1; i >= 0; i--) {
@@ -254,6 +280,23 @@ public final class HeardWords {
               since.add(word);
               return new Resumption(last.before(), last.column(), List.copyOf(since));
             });
+  }
+
+  /** Who begins again with a word takes back what he said since it: in A, I mean in B. */
+  private boolean isSaidAgain(String word) {
+    List<String> before = chart.words();
+    int column = before.lastIndexOf(word);
+    if (column < 0) {
+      return false;
+    }
+    chart.cut(column);
+    if (!chart.extend(word, false)) {
+      restore(before);
+      return false;
+    }
+    withdraw(before.subList(column, before.size()));
+    resumption = Optional.of(new Resumption(before, column, List.of()));
+    return true;
   }
 
   /**
@@ -303,6 +346,20 @@ public final class HeardWords {
       }
       chart.cut(size);
     }
+    return false;
+  }
+
+  /** A breath may have been taken for one between two of a list. */
+  private boolean isWholeWithoutBreaths() {
+    List<String> words = chart.words();
+    List<String> others = words.stream().filter(word -> !word.equals(Tokens.BREATH)).toList();
+    chart = fresh.get();
+    if (others.size() < words.size()
+        && others.stream().allMatch(chart::extend)
+        && !chart.complete().isEmpty()) {
+      return true;
+    }
+    restore(words);
     return false;
   }
 

@@ -13,6 +13,9 @@ public final class Tokens {
   /** What stands for a word that was broken off. */
   public static final String CUT_OFF = "-";
 
+  /** A short stop within a sentence. */
+  public static final String BREATH = ",";
+
   /** Longer words than any language has are cut; nobody means them. */
   private static final int LONGEST_WORD = 64;
 
@@ -72,7 +75,7 @@ public final class Tokens {
       spelled(word, words);
     }
     if (comma) {
-      words.add(",");
+      words.add(BREATH);
     }
     if (cutOff) {
       words.add(CUT_OFF);

@@ -229,8 +229,11 @@ public final class QuestionsBack {
       case "np" -> said(form.part(form.parts().size() - 1));
       case "mod" -> form.part(0).text(1) + " " + said(form.part(1));
       case "instate" -> inState(form.part(0)) + said(form.part(1));
-      case "at" -> said(form.part(0)) + " " + said(form.part(1));
-      case "rel", "from" -> grammar.phrase("there");
+      case "at" ->
+          form.part(0).is("at")
+              ? said(form.part(0))
+              : said(form.part(0)) + " " + said(form.part(1));
+      case "rel", "from", "here", "there", "either", "everywhere" -> grammar.phrase("there");
       case "any" -> "";
       case "it", "them", "him" -> grammar.phrase("it");
       case "beside" -> said(form.part(0)) + " " + said(form.part(1));

@@ -129,6 +129,21 @@ class HeardWordsTest {
   }
 
   @Test
+  void whatBeginsAgainTakesBackWhatWasSaidSinceItsFirstWord() {
+    HeardWords heard = heard("bring the teacup to Ann, no, to the saucer");
+
+    assertThat(forms(heard)).containsExactly("(bring (name cup) (name saucer))");
+    assertThat(heard.withdrawn()).containsExactly("to", "ann");
+  }
+
+  @Test
+  void aBreathIsNoListWhereNoneComes() {
+    assertThat(forms(heard("bring the teacup, to Ann")))
+        .containsExactly("(bring (name cup) (name Ann))");
+    assertThat(forms(heard("bring the teacup, the"))).isEmpty();
+  }
+
+  @Test
   void aRepairMayBeOfSeveralWordsAndOfABrokenWord() {
     assertThat(forms(heard("bring the teacup, no wait, the saucer")))
         .containsExactly("(bring (name saucer))");

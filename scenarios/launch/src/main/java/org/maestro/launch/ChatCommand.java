@@ -37,13 +37,19 @@ final class ChatCommand implements Callable<Integer> {
   @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
   private String room;
 
+  @Option(
+      names = "--language",
+      paramLabel = "TAG",
+      description = "In which language: en or de; that of the person or of the home unless stated.")
+  private Optional<String> language = Optional.empty();
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     try (AskedPlatform asked = platform.ask()) {
       // Who there is not, or where nothing is, is told before anything is said.
       nextWords(asked, "");
       try (Keyboard keyboard = keyboard(asked)) {
-        return new ChatSession(keyboard, new Conversing(asked, person, room, keyboard::print))
+        return new ChatSession(keyboard, new Conversing(asked, person, room, language, keyboard::print))
             .converse();
       }
     }

@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.LinkedHashSet;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 
@@ -16,6 +17,7 @@ final class Conversing {
   private final AskedPlatform asked;
   private final String person;
   private final String room;
+  private final Optional<String> language;
   private final Consumer<String> lines;
   private final Set<String> pursued = new LinkedHashSet<>();
   private int code = ExitCode.DONE;
@@ -24,12 +26,19 @@ final class Conversing {
   private long last;
 
   /**
+   * @param language in which it is said; empty: that which is usual for her
    * @param lines takes what she is told
    */
-  Conversing(AskedPlatform asked, String person, String room, Consumer<String> lines) {
+  Conversing(
+      AskedPlatform asked,
+      String person,
+      String room,
+      Optional<String> language,
+      Consumer<String> lines) {
     this.asked = asked;
     this.person = person;
     this.room = room;
+    this.language = language;
     this.lines = lines;
   }
 
@@ -48,7 +57,7 @@ final class Conversing {
    */
   void say(String text) {
     long number =
-        asked.answer(questions -> questions.say(person, room, text)).path("number").asLong();
+        asked.answer(questions -> questions.say(person, room, text, language)).path("number").asLong();
     // What she was told before it is not passed over.
     last = last == 0 ? number : last;
     answered = false;

@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -38,6 +39,12 @@ final class SayCommand implements Callable<Integer> {
   @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
   private String room;
 
+  @Option(
+      names = "--language",
+      paramLabel = "TAG",
+      description = "In which language: en or de; that of the person or of the home unless stated.")
+  private Optional<String> language = Optional.empty();
+
   @Override
   public Integer call() throws InterruptedException {
     PrintWriter out = spec.commandLine().getOut();
@@ -47,6 +54,7 @@ final class SayCommand implements Callable<Integer> {
               asked,
               person,
               room,
+              language,
               line -> {
                 out.println(line);
                 out.flush();

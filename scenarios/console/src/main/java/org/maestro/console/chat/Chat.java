@@ -23,6 +23,7 @@ import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Utterance;
 import org.maestro.dialogue.UtteranceCheck;
+import org.maestro.language.Language;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.security.Role;
 
@@ -107,7 +108,17 @@ public final class Chat implements Source {
             body.path("person").asText(),
             body.path("room").asText(),
             body.path("text").asText(),
-            request.visit().person()));
+            request.visit().person(),
+            spoken(body.path("language").asText(""))));
+  }
+
+  private static Optional<String> spoken(String tag) {
+    if (!tag.isEmpty() && !Language.isShipped(tag)) {
+      throw RefusalException.badInput(
+          "Nobody here understands the language %s; say it in one that is shipped, such as de."
+              .formatted(tag));
+    }
+    return Optional.of(tag).filter(one -> !one.isEmpty());
   }
 
   private JsonNode next(Operation.Request request) {

@@ -131,7 +131,11 @@ public final class WrittenInterlocutor implements Interlocutor {
   /** Here is where it was begun. */
   private static Utterance joined(Utterance before, Utterance now) {
     return new Utterance(
-        before.person(), before.room(), before.text() + " " + now.text(), now.asker());
+        before.person(),
+        before.room(),
+        before.text() + " " + now.text(),
+        now.asker(),
+        now.language());
   }
 
   private static ChatEvent questionBack(Reading.Unfinished part, WrittenWords words) {

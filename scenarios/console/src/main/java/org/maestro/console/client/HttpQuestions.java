@@ -101,9 +101,11 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<JsonNode> say(String person, String room, String text) {
+  public CompletableFuture<JsonNode> say(
+      String person, String room, String text, Optional<String> language) {
     ObjectNode body = JsonNodeFactory.instance.objectNode();
     body.put("person", person).put("room", room).put("text", text);
+    language.ifPresent(tag -> body.put("language", tag));
     return request("POST", "/chat", Optional.of(body));
   }
 

@@ -168,7 +168,8 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<JsonNode> say(String person, String room, String text) {
+  public CompletableFuture<JsonNode> say(
+      String person, String room, String text, Optional<String> language) {
     return heardByTheConsole();
   }
 

@@ -56,9 +56,11 @@ public interface Questions {
   /**
    * Says something as a person of the home.
    *
+   * @param language its tag; empty: that which is usual for her
    * @return the number under which it is kept
    */
-  CompletableFuture<JsonNode> say(String person, String room, String text);
+  CompletableFuture<JsonNode> say(
+      String person, String room, String text, Optional<String> language);
 
   /**
    * What was said lately, and what became of it.
