@@ -21,7 +21,8 @@ final class Surroundings {
   private final Map<Term.Name, Boolean> here = new HashMap<>();
 
   /** Of lists that were asked for: they are the same ones, as what is found is remembered. */
-  private final IdentityHashMap<List<Term.Name>, List<Term.Name>> amongThem = new IdentityHashMap<>();
+  private final IdentityHashMap<List<Term.Name>, List<Term.Name>> amongThem =
+      new IdentityHashMap<>();
 
   private Optional<List<Term.Name>> devices = Optional.empty();
 

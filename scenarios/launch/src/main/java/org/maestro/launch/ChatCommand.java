@@ -49,7 +49,8 @@ final class ChatCommand implements Callable<Integer> {
       // Who there is not, or where nothing is, is told before anything is said.
       nextWords(asked, "");
       try (Keyboard keyboard = keyboard(asked)) {
-        return new ChatSession(keyboard, new Conversing(asked, person, room, language, keyboard::print))
+        return new ChatSession(
+                keyboard, new Conversing(asked, person, room, language, keyboard::print))
             .converse();
       }
     }

@@ -57,7 +57,10 @@ final class Conversing {
    */
   void say(String text) {
     long number =
-        asked.answer(questions -> questions.say(person, room, text, language)).path("number").asLong();
+        asked
+            .answer(questions -> questions.say(person, room, text, language))
+            .path("number")
+            .asLong();
     // What she was told before it is not passed over.
     last = last == 0 ? number : last;
     answered = false;
