@@ -13,6 +13,7 @@ import org.maestro.text.VisibleText;
  */
 public final class UtteranceCheck {
   private static final int MOST_CHARACTERS = 2_000;
+  private static final int LONGEST_NAME = 100;
   private static final String PERSON = "Person";
   private static final String ROOM = "Room";
 
@@ -63,7 +64,8 @@ public final class UtteranceCheck {
     return unknown(room, ROOM, "room");
   }
 
-  private Optional<String> unknown(String name, String className, String what) {
+  private Optional<String> unknown(String said, String className, String what) {
+    String name = said.length() > LONGEST_NAME ? said.substring(0, LONGEST_NAME) + "..." : said;
     List<String> names = names(className);
     return names.contains(name)
         ? Optional.empty()

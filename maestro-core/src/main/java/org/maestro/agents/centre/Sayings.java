@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
@@ -26,7 +27,6 @@ import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
-import org.maestro.sl.Term;
 
 /**
  * What people say, as other agents hear it and tell it the central one (ADE, 4.2): goals are taken
@@ -94,7 +94,10 @@ public final class Sayings {
         said.utterance().text(),
         said.caller(),
         (performative, contents) -> {
-          boolean isOver = Words.of(contents[0]).string("open").filter("false"::equals).isPresent();
+          boolean isOver =
+              Stream.of(contents)
+                  .flatMap(one -> Words.of(one).string("open").stream())
+                  .anyMatch("false"::equals);
           if (isOver || performative == ACLMessage.INFORM) {
             dialogues.asked().over(question);
           }
@@ -170,7 +173,7 @@ public final class Sayings {
 
   private static AnswerWords.Found found(Answer answer) {
     Map<String, String> binding = new LinkedHashMap<>();
-    answer.binding().forEach((name, value) -> binding.put(name, plain(value)));
+    answer.binding().forEach((name, value) -> binding.put(name, Words.plain(value)));
     return AnswerWords.Found.of(
         answer.truth(),
         binding,
@@ -182,9 +185,5 @@ public final class Sayings {
             .age()
             .map(age -> OptionalDouble.of((double) age.toMillis() / MILLIS_PER_SECOND))
             .orElse(OptionalDouble.empty()));
-  }
-
-  private static String plain(Term value) {
-    return Words.plain(value);
   }
 }
