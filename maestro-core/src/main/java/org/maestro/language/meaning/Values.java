@@ -17,15 +17,23 @@ final class Values {
 
   /** The value of an amount, a span or a text; empty for everything else. */
   static Optional<Term> of(Form said) {
+    // Words as they are may be any, and so may be called as a form is.
+    return said.parts().isEmpty() ? word(said) : value(said);
+  }
+
+  private static Optional<Term> word(Form said) {
+    return isReference(said.head())
+        ? Optional.empty()
+        : Optional.of(new Term.Text(said.head()));
+  }
+
+  private static Optional<Term> value(Form said) {
     return switch (said.head()) {
       case "number", "percent", "points", "quantity" ->
           Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
       case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
       case "text" -> Optional.of(new Term.Text(text(said)));
-      default ->
-          said.parts().isEmpty() && !isReference(said.head())
-              ? Optional.of(new Term.Text(said.head()))
-              : Optional.empty();
+      default -> Optional.empty();
     };
   }
 

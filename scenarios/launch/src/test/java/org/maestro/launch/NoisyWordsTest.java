@@ -11,6 +11,7 @@ import org.maestro.bench.words.NoiseBench;
 import org.maestro.bench.words.SaidLine;
 import org.maestro.language.Language;
 import org.maestro.language.reference.Situation;
+import org.maestro.sl.SlPrinter;
 
 /** Of words that are lost, exchanged or misheard nothing is made that nobody said (A64). */
 class NoisyWordsTest {
@@ -61,6 +62,17 @@ class NoisyWordsTest {
     Situation situation = evening.situation(evening.home(), SpokenEvening.lines().get(0));
 
     assertThat(language.understand(words, situation).message()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"number", "percent", "span", "plus", "quantity", "text", "np"})
+  void aTextMayBeOfAnyWord(String word) {
+    Situation situation = evening.situation(evening.home(), SpokenEvening.lines().get(0));
+
+    assertThat(language.understand("add " + word + " to the shopping list", situation).message())
+        .map(SlPrinter::print)
+        .contains(
+            "(perform (:script addToList) (:list shopping-list) (:what \"%s\"))".formatted(word));
   }
 
   private NoiseBench.Rates rates(int times, int share, long seed) {

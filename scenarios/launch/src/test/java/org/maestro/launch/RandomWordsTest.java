@@ -2,18 +2,24 @@ package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.maestro.bench.Quantile;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
 import org.maestro.language.hearing.Heard;
@@ -25,6 +31,13 @@ import org.maestro.sl.SlPrinter;
 class RandomWordsTest {
   private static final long SEED = 20260;
   private static final int UTTERANCES = 4_000;
+  private static final int MANY = 100_000;
+  private static final double NANOS_PER_MILLI = 1e6;
+
+  /** Of a core; all words of an utterance may come to their ends with its last one. */
+  private static final double SLOWEST_MILLIS = 1_000;
+
+  private static final double MEAN_MILLIS = 5;
   private static final Pattern TEXT = Pattern.compile("\"([^\"]*)\"");
   private static final List<String> ODD =
       List.of(
@@ -32,6 +45,14 @@ class RandomWordsTest {
           "👩\u200D👧",
           "\u202Eהדלק\u202C",
           "\u200Fأضئ",
+          "li\u200Bght",
+          "\u200B",
+          "\uFEFFturn",
+          "\u0301",
+          "\u2066on\u2069",
+          "\u0007\u0008",
+          "\r\n",
+          "\t",
           "\u0000",
           "\u001B[31m",
           "x".repeat(5_000),
@@ -66,25 +87,72 @@ class RandomWordsTest {
 
   @Test
   void whateverIsSaidNoUnknownWordIsPassedOver() {
+    said(UTTERANCES);
+  }
+
+  @Test
+  @Tag("full")
+  void howeverMuchIsSaidNoUnknownWordIsPassedOver(TestReporter reporter) {
+    List<Double> millis = said(MANY);
+
+    double mean = millis.stream().mapToDouble(each -> each).average().orElseThrow();
+    double slowest = Quantile.of(millis, 1);
+    reporter.publishEntry(
+        String.format(
+            Locale.ROOT,
+            "%d utterances, ms of a core a word: mean %.2f, 99 of 100 %.2f, the slowest %.1f",
+            MANY,
+            mean,
+            Quantile.of(millis, 0.99),
+            slowest));
+    assertThat(mean).isLessThan(MEAN_MILLIS);
+    assertThat(slowest).isLessThan(SLOWEST_MILLIS);
+  }
+
+  /**
+   * Says utterances at random, each mutated or of words at random; returns for each what one word
+   * of it took of a core, in ms.
+   */
+  private List<Double> said(int utterances) {
     List<SpokenEvening.Line> lines = SpokenEvening.lines();
     List<String> vocabulary = new ArrayList<>(new TreeSet<>(known));
+    List<Double> millis = new ArrayList<>();
     int understood = 0;
-    for (int i = 0; i < UTTERANCES; i++) {
+    for (int i = 0; i < utterances; i++) {
       SpokenEvening.Line line = lines.get(random.nextInt(lines.size()));
-      List<String> words = new ArrayList<>(List.of(line.words().split(" ")));
-      int changes = random.nextInt(4);
-      for (int change = 0; change < changes; change++) {
-        change(words, vocabulary);
-      }
+      String text = String.join(" ", random.nextInt(8) == 0 ? anyWords(vocabulary) : mutated(line, vocabulary));
+      long begun = coreNanos();
       Understanding understanding =
-          language.understand(String.join(" ", words), evening.situation(evening.home(), line));
+          language.understand(text, evening.situation(evening.home(), line));
+      millis.add(
+          (coreNanos() - begun) / NANOS_PER_MILLI / Math.max(1, understanding.heard().size()));
       assertThat(passedOver(understanding)).as("%s", understanding).isEmpty();
       assertThat(isAnswered(understanding)).as("%s", understanding).isTrue();
       understood += understanding.message().isPresent() ? 1 : 0;
     }
 
     // So that not all of it was nonsense.
-    assertThat(understood).isBetween(UTTERANCES / 10, UTTERANCES * 9 / 10);
+    assertThat(understood).isBetween(utterances / 10, utterances * 9 / 10);
+    return millis;
+  }
+
+  private static long coreNanos() {
+    return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+  }
+
+  private List<String> mutated(SpokenEvening.Line line, List<String> vocabulary) {
+    List<String> words = new ArrayList<>(List.of(line.words().split(" ")));
+    int changes = random.nextInt(4);
+    for (int change = 0; change < changes; change++) {
+      change(words, vocabulary);
+    }
+    return words;
+  }
+
+  private List<String> anyWords(List<String> vocabulary) {
+    return Stream.generate(() -> any(random.nextInt(6) == 0 ? ODD : vocabulary))
+        .limit(1 + random.nextInt(12))
+        .toList();
   }
 
   private void change(List<String> words, List<String> vocabulary) {
