@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
@@ -16,8 +17,12 @@ import org.maestro.language.lexicon.FittingRoles;
 import org.maestro.language.lexicon.Lexicon;
 import org.maestro.language.lexicon.LexiconOfHome;
 import org.maestro.language.lexicon.Tokens;
+import org.maestro.language.meaning.Wishes;
 import org.maestro.language.reference.Situation;
+import org.maestro.language.wording.RefusalWords;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.permission.GoalObjections;
+import org.maestro.sl.Formula;
 
 /**
  * A language of people in a home: its grammar, and the home's words in it. Immutable; any thread
@@ -30,6 +35,7 @@ public final class Language {
   private final Set<String> grammarWords;
   private final Tokens tokens;
   private final FittingRoles roles;
+  private final RefusalWords refusals;
 
   private Language(Grammar own, Home home) {
     this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
@@ -38,6 +44,7 @@ public final class Language {
     this.grammarWords = HeardWords.wordsOf(grammar);
     this.tokens = new Tokens(own.spellings());
     this.roles = new FittingRoles(home);
+    this.refusals = new RefusalWords(home, grammar);
   }
 
   /**
@@ -78,6 +85,24 @@ public final class Language {
     Listening listening = listen(situation);
     words(utterance).forEach(listening::hear);
     return listening.end(utterance);
+  }
+
+  /**
+   * Why the speaker may not have done what she asks for, as she is told; empty when nothing is to
+   * be said against it.
+   */
+  public Optional<String> refusal(Understanding understood, Situation situation) {
+    return understood.wish().stream()
+        .flatMap(message -> Wishes.of(message, situation.home()).stream())
+        .flatMap(goal -> refusal(goal, situation).stream())
+        .findFirst();
+  }
+
+  /** The same of a goal. */
+  public Optional<String> refusal(Formula goal, Situation situation) {
+    return new GoalObjections(situation.home(), situation.facts())
+        .of(goal, situation.speaker())
+        .map(refusals::of);
   }
 
   /** The words of a text. */

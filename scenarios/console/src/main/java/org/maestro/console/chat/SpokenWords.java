@@ -26,6 +26,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
@@ -71,11 +72,13 @@ final class SpokenWords {
   /** What is meant. */
   synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
-    Understanding understood =
-        language(there).understand(utterance.text(), situation(there, utterance));
+    Language language = language(there);
+    Situation situation = situation(there, utterance);
+    Understanding understood = language.understand(utterance.text(), situation);
+    // What she may not have done need not be confirmed.
+    boolean isRefused = language.refusal(understood, situation).isPresent();
     Optional<Reading> reading =
-        understood
-            .message()
+        (isRefused ? understood.wish() : understood.message())
             .flatMap(message -> MessageReading.of(message, there))
             .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
             .or(() -> social(understood));
@@ -83,6 +86,22 @@ final class SpokenWords {
       discourse = understood.discourse(discourse);
     }
     return new Hearing(reading, understood.reply());
+  }
+
+  /**
+   * What she is told when she may not have a goal pursued; empty when she may.
+   *
+   * @param goal in MAESTRO-SL
+   */
+  synchronized Optional<String> refusal(String goal, Utterance utterance) {
+    Home there = home.get();
+    try {
+      Formula formula = SlParser.formula(goal, there.vocabulary()::isFluent);
+      return language(there).refusal(formula, situation(there, utterance));
+    } catch (SlSyntaxException e) {
+      // Who takes it on tells what is wrong with it.
+      return Optional.empty();
+    }
   }
 
   /** A greeting is answered, and nothing else comes of it. */
