@@ -42,6 +42,8 @@ import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.lessons.VainDeeds;
+import org.maestro.coordination.limits.GoalsOfPersons;
+import org.maestro.coordination.limits.RefusedGoal;
 import org.maestro.coordination.maintenance.MaintenanceGoal;
 import org.maestro.coordination.maintenance.Reaching;
 import org.maestro.coordination.maintenance.Wish;
@@ -77,7 +79,9 @@ public final class Coordinator {
 
   private final Ports ports;
   private final JournaledDispatcher dispatcher;
+  private final ScriptsInPlans runs;
   private final CompositeActions composites;
+  private final GoalsOfPersons persons;
   private final Roster roster = new Roster();
   private final Appraisals appraisals;
   private final ActiveGoals activeGoals;
@@ -112,9 +116,9 @@ public final class Coordinator {
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
     this.activeGoals =
         new ActiveGoals(ports.clock(), ports.owner(), appraisals, ports.dispatcher());
-    this.composites =
-        new CompositeActions(
-            this.ports, new ScriptsInPlans(this.ports, activeGoals, new PartsOfScripts()));
+    this.runs = new ScriptsInPlans(this.ports, activeGoals, new PartsOfScripts());
+    this.composites = new CompositeActions(this.ports, runs);
+    this.persons = new GoalsOfPersons(this.ports);
     if (usesScripts()) {
       roster.present(Script.PLANNED_AS, Optional.empty());
     }
@@ -224,30 +228,35 @@ public final class Coordinator {
             new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
     Optional<Script> script = ScriptGoal.script(request.goal(), ports.knowledge().home().scripts());
     Set<String> kept = privateWords(request);
-    Ports world = keeping(kept, usesScripts() ? composites.ports() : ports);
+    Ports own = persons.world(request, keeping(kept, ports).story());
+    Optional<String> objection = persons.objection(request);
+    CompositeActions composites = composites(own);
+    Ports world = keeping(kept, usesScripts() ? composites.ports() : own);
     ActiveGoal pursuit =
-        script.isPresent()
-            ? new ScriptGoal(
-                id,
-                request,
-                script.get(),
-                standing,
-                keeping(kept, usesScripts() ? composites.within(script.get()) : ports),
-                activeGoals,
-                new PartsOfScripts(),
-                over)
-            : request.goal() instanceof Formula.Keep
-                ? new MaintenanceGoal(
-                    new Wish(id, request, standing),
-                    world,
+        objection.isPresent()
+            ? new RefusedGoal(id, request, objection.get(), keeping(kept, ports), activeGoals, over)
+            : script.isPresent()
+                ? new ScriptGoal(
+                    id,
+                    request,
+                    script.get(),
+                    standing,
+                    keeping(kept, usesScripts() ? composites.within(script.get()) : own),
                     activeGoals,
-                    exactPrices,
-                    reaching,
-                    heard -> ports.journal().afterwards(() -> news.accept(heard)),
+                    new PartsOfScripts(),
                     over)
-                : request.goal() instanceof Formula.Bound
-                    ? new EntryGoal(id, request, keeping(kept, ports), activeGoals, begun, over)
-                    : reaching.pursuit(request, world, over);
+                : request.goal() instanceof Formula.Keep
+                    ? new MaintenanceGoal(
+                        new Wish(id, request, standing),
+                        world,
+                        activeGoals,
+                        exactPrices,
+                        reaching,
+                        heard -> ports.journal().afterwards(() -> news.accept(heard)),
+                        over)
+                    : request.goal() instanceof Formula.Bound
+                        ? new EntryGoal(id, request, keeping(kept, ports), activeGoals, begun, over)
+                        : reaching.pursuit(request, world, over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
     if (!(request.goal() instanceof Formula.Bound)) {
@@ -255,6 +264,11 @@ public final class Coordinator {
     }
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
+  }
+
+  /** Scripts in plans, whose steps are limited as the goal is that has them. */
+  private CompositeActions composites(Ports own) {
+    return own.equals(ports) ? composites : new CompositeActions(own, runs);
   }
 
   private Set<String> privateWords(GoalRequest request) {

@@ -22,6 +22,7 @@ import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
 
@@ -77,11 +78,13 @@ public final class SpokenWords {
     latest = Optional.of(utterance);
     // Who does not say where she is has gone nowhere.
     room = Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
-    Understanding understood =
-        language(there).understand(utterance.text(), situation(there, utterance));
+    Language language = language(there);
+    Situation situation = situation(there, utterance);
+    Understanding understood = language.understand(utterance.text(), situation);
+    // What she may not have done need not be confirmed.
+    boolean isRefused = language.refusal(understood, situation).isPresent();
     Optional<Reading> reading =
-        understood
-            .message()
+        (isRefused ? understood.wish() : understood.message())
             .flatMap(message -> MessageReading.of(message, there))
             .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
             .or(() -> social(understood));
@@ -89,6 +92,22 @@ public final class SpokenWords {
       discourse = understood.discourse(discourse);
     }
     return new Hearing(reading, understood.message(), understood.reply());
+  }
+
+  /**
+   * What she is told when she may not have a goal pursued; empty when she may.
+   *
+   * @param goal in MAESTRO-SL
+   */
+  public synchronized Optional<String> refusal(String goal, Utterance utterance) {
+    Home there = home.get();
+    try {
+      Formula formula = SlParser.formula(goal, there.vocabulary()::isFluent);
+      return language(there).refusal(formula, situation(there, utterance));
+    } catch (SlSyntaxException e) {
+      // Who takes it on tells what is wrong with it.
+      return Optional.empty();
+    }
   }
 
   /** A greeting is answered, and nothing else comes of it. */

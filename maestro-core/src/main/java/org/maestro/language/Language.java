@@ -21,8 +21,12 @@ import org.maestro.language.lexicon.Lexicon;
 import org.maestro.language.lexicon.LexiconOfHome;
 import org.maestro.language.lexicon.Tokens;
 import org.maestro.language.lexicon.WholeTexts;
+import org.maestro.language.meaning.Wishes;
 import org.maestro.language.reference.Situation;
+import org.maestro.language.wording.RefusalWords;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.permission.GoalObjections;
+import org.maestro.sl.Formula;
 
 /**
  * A language of people in a home: its grammar, and the home's words in it. Immutable; any thread
@@ -39,6 +43,7 @@ public final class Language {
   private final Set<String> grammarWords;
   private final Tokens tokens;
   private final Predicate<Form> possible;
+  private final RefusalWords refusals;
 
   private Language(Grammar own, Home home) {
     this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
@@ -47,6 +52,7 @@ public final class Language {
     this.grammarWords = HeardWords.wordsOf(grammar);
     this.tokens = new Tokens(own.spellings());
     this.possible = new FittingRoles(home).and(new WholeTexts(own));
+    this.refusals = new RefusalWords(home, grammar);
   }
 
   /**
@@ -119,6 +125,24 @@ public final class Language {
     words(text.substring(0, last)).forEach(listening::hear);
     List<String> begun = words(text.substring(last));
     return begun.size() > 1 ? List.of() : listening.next(String.join("", begun), most);
+  }
+
+  /**
+   * Why the speaker may not have done what she asks for, as she is told; empty when nothing is to
+   * be said against it.
+   */
+  public Optional<String> refusal(Understanding understood, Situation situation) {
+    return understood.wish().stream()
+        .flatMap(message -> Wishes.of(message, situation.home()).stream())
+        .flatMap(goal -> refusal(goal, situation).stream())
+        .findFirst();
+  }
+
+  /** The same of a goal. */
+  public Optional<String> refusal(Formula goal, Situation situation) {
+    return new GoalObjections(situation.home(), situation.facts())
+        .of(goal, situation.speaker())
+        .map(refusals::of);
   }
 
   /** The words of a text. */

@@ -63,6 +63,16 @@ public record Understanding(
     began = List.copyOf(began);
   }
 
+  /** What is asked for, also where it is not done before it was confirmed. */
+  public Optional<Content> wish() {
+    return message.or(
+        () ->
+            meanings.stream()
+                .findFirst()
+                .filter(best -> best.doubt().filter(Doubt.Confirm.class::isInstance).isPresent())
+                .flatMap(Meaning::message));
+  }
+
   /** The words that no lexicon has. */
   public List<String> unknown() {
     return heard.stream()

@@ -23,6 +23,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Requester;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.ReadingRights;
@@ -43,6 +44,7 @@ public final class GoalRequests {
   private final Endings endings;
   private final PlanRequests plans;
   private final PrivateGoals privately;
+  private final Speakers speakers;
   private final GoalsOfOthers others = new GoalsOfOthers();
   private final Map<String, Formula> takenUp = new HashMap<>();
 
@@ -54,6 +56,7 @@ public final class GoalRequests {
     this.stories = stories;
     this.endings = new Endings(agent::reply);
     this.plans = new PlanRequests(agent, coordinator);
+    this.speakers = new Speakers(knowledge::home);
     this.privately = new PrivateGoals(knowledge, agent::getHap);
   }
 
@@ -94,7 +97,11 @@ public final class GoalRequests {
     }
     try {
       coordinator.submit(
-          GoalWords.request(goal, requester.toString(), words, agent.clock().now()),
+          GoalWords.request(
+              goal,
+              new Requester(requester.toString(), speakers.of(requester, words)).toString(),
+              words,
+              agent.clock().now()),
           answer(message),
           news -> answer(message, news),
           outcome -> endings.ended(goal, outcome));

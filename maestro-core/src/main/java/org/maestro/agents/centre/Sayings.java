@@ -114,7 +114,9 @@ public final class Sayings {
     SpokenWords.Hearing heard = spoken.read(said.utterance());
     String means = heard.message().map(SlPrinter::print).orElse("");
     Reading reading = heard.reading().orElse(new Reading.Unclear(notUnderstood(heard), List.of()));
-    if (reading instanceof Reading.Goals goals) {
+    if (reading instanceof Reading.Goals goals && refusal(spoken, goals, said).isPresent()) {
+      agent.refuse(said.message(), ACLMessage.REFUSE, refusal(spoken, goals, said).get());
+    } else if (reading instanceof Reading.Goals goals) {
       List<Formula> formulas = goals.formulas().stream().map(this::formula).toList();
       requests.state(
           said.message(),
@@ -135,6 +137,13 @@ public final class Sayings {
     } else if (reading instanceof Reading.Unclear unclear) {
       agent.refuse(said.message(), ACLMessage.REFUSE, unclear.why());
     }
+  }
+
+  /** Where she may not have a part done, nothing of the whole is begun. */
+  private static Optional<String> refusal(SpokenWords spoken, Reading.Goals goals, Said said) {
+    return goals.formulas().stream()
+        .flatMap(goal -> spoken.refusal(goal, said.utterance()).stream())
+        .findFirst();
   }
 
   /** Why nothing comes of it. */

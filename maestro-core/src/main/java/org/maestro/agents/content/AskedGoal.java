@@ -13,7 +13,8 @@ import org.maestro.sl.Content;
  * @param goal in MAESTRO-SL
  * @param priority 0 is usual; a higher one goes first
  * @param deadlineSeconds simulated seconds from now by which it has to be reached
- * @param person for whom the desk asks
+ * @param person for whom the desk asks, by the name by which she has signed in
+ * @param speaker the person of the home on whose behalf it is asked for
  * @param stakes what it is worth
  */
 public record AskedGoal(
@@ -21,15 +22,16 @@ public record AskedGoal(
     int priority,
     Optional<Double> deadlineSeconds,
     Optional<String> person,
+    Optional<String> speaker,
     AskedStakes stakes) {
 
   /** A goal of which nothing more is said. */
   public AskedGoal(String goal) {
-    this(goal, 0, Optional.empty(), Optional.empty(), AskedStakes.NONE);
+    this(goal, 0, Optional.empty(), Optional.empty(), Optional.empty(), AskedStakes.NONE);
   }
 
   public AskedGoal priority(int other) {
-    return new AskedGoal(goal, other, deadlineSeconds, person, stakes);
+    return new AskedGoal(goal, other, deadlineSeconds, person, speaker, stakes);
   }
 
   /** From when it is stated on, by the platform's clock. */
@@ -38,15 +40,20 @@ public record AskedGoal(
   }
 
   public AskedGoal deadlineSeconds(Optional<Double> seconds) {
-    return new AskedGoal(goal, priority, seconds, person, stakes);
+    return new AskedGoal(goal, priority, seconds, person, speaker, stakes);
   }
 
   public AskedGoal person(Optional<String> name) {
-    return new AskedGoal(goal, priority, deadlineSeconds, name, stakes);
+    return new AskedGoal(goal, priority, deadlineSeconds, name, speaker, stakes);
+  }
+
+  /** Asked for on behalf of a person of the home. */
+  public AskedGoal speaker(Optional<String> name) {
+    return new AskedGoal(goal, priority, deadlineSeconds, person, name, stakes);
   }
 
   public AskedGoal stakes(AskedStakes other) {
-    return new AskedGoal(goal, priority, deadlineSeconds, person, other);
+    return new AskedGoal(goal, priority, deadlineSeconds, person, speaker, other);
   }
 
   /**
@@ -67,6 +74,7 @@ public record AskedGoal(
   public Content content() {
     List<Content.Argument> arguments = new ArrayList<>();
     person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+    speaker.ifPresent(name -> arguments.add(Words.named("speaker", Words.text(name))));
     arguments.add(Words.named("goal", Words.text(goal)));
     if (priority != 0) {
       arguments.add(Words.named("priority", Words.number(priority)));

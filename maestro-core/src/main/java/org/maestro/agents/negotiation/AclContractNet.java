@@ -17,6 +17,7 @@ import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Proposal;
+import org.maestro.coordination.api.WithOthers;
 import org.maestro.planning.api.Step;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;

@@ -10,6 +10,7 @@ import org.maestro.coordination.api.Argument;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.Proposal;
+import org.maestro.coordination.api.WithOthers;
 
 /** A market on which nobody is asked for what the goal's requester may not ask for. */
 public final class PermittedContractNet implements ContractNet {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.maestro.agents.content.AgentNames;
+import org.maestro.coordination.api.Requester;
 
 /**
  * The agent that asks another for something, and its user.
@@ -49,8 +50,9 @@ public record Caller(String agent, Optional<String> user) {
     return agent.equals(AgentNames.DESK) && person.isPresent() ? new Caller(agent, person) : this;
   }
 
-  /** What {@link #toString} wrote. */
-  public static Caller parse(String text) {
+  /** What {@link #toString} wrote, and of what a goal says of who asks for it the same. */
+  public static Caller parse(String requester) {
+    String text = Requester.parse(requester).caller();
     int at = text.lastIndexOf(AT);
     return at < 0
         ? new Caller(text, Optional.empty())

@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * All permissions that a home states for asking; what may be read is told by {@link PrivateWords}.
- * Where it states none everybody may ask everything; else what none of them allows is refused.
- * Immutable.
+ * All permissions that a home states for callers to ask; what may be read is told by {@link
+ * PrivateWords}, and what persons may by {@link PersonalPermission}. Where it states none everybody
+ * may ask everything; else what none of them allows is refused. Immutable.
  *
  * @param permissions empty: everything is allowed
  */
@@ -20,6 +20,7 @@ public record AccessList(List<Permission> permissions) {
     return new AccessList(
         home.individuals().values().stream()
             .filter(thing -> thing.classes().contains("Permission"))
+            .filter(stated -> !PersonalPermission.isOne(stated))
             .map(Permission::of)
             .filter(permission -> !permission.isOnlyForReading())
             .toList());

@@ -130,6 +130,12 @@ public record Device(
         extension);
   }
 
+  /** The same device with these features. */
+  public Device offering(List<FeatureType> others) {
+    return new Device(
+        individual, container, driver, others, reports, settings, pursues, worth, extension);
+  }
+
   /** The same device, whose description brings this. */
   public Device bringing(Extension more) {
     return new Device(

@@ -58,7 +58,7 @@ public record Permission(
     return permits.isEmpty() || permits.contains(feature);
   }
 
-  private static Set<String> names(Individual stated, String property) {
+  static Set<String> names(Individual stated, String property) {
     return stated.properties().getOrDefault(property, List.of()).stream()
         .map(Permission::name)
         .collect(Collectors.toSet());

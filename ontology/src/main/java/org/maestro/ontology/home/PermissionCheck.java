@@ -23,7 +23,9 @@ final class PermissionCheck {
   private final WordHints hints;
   private final Set<String> asked = new TreeSet<>();
   private final Set<String> permitted = new TreeSet<>();
+  private final Set<String> forbidden = new TreeSet<>();
   private final Set<String> readable = new TreeSet<>();
+  private final PersonalPermissionCheck persons;
 
   PermissionCheck(SourceGraph graph, Home home) {
     this.graph = graph;
@@ -38,6 +40,9 @@ final class PermissionCheck {
         .flatMap(device -> device.features().stream())
         .map(FeatureType::name)
         .forEach(permitted::add);
+    forbidden.addAll(permitted);
+    forbidden.add(PersonalPermission.ANY_FEATURE);
+    this.persons = new PersonalPermissionCheck(graph, home);
     readable.addAll(PrivateWords.of(home).all());
   }
 
@@ -49,7 +54,9 @@ final class PermissionCheck {
               Node node = HomeCheck.named(nodes, thing.name());
               check(node, "asks", asked, "is neither a device of this home nor a class of devices");
               check(node, "permits", permitted, "is no feature that is known here");
+              check(node, "forbids", forbidden, "is no feature that is known here");
               check(node, "reads", readable, "is no private word of this home");
+              persons.check(node, thing);
             });
   }
 

@@ -23,10 +23,8 @@ public record Parameter(
   /** Datatypes of the meta-vocabulary; all others are XML Schema's. */
   public static final List<String> OWN_DATATYPES = List.of("Pose", COVERED_SHARE, NEXT_PLACE);
 
-  private static final Set<String> XML_DATATYPES =
+  private static final Set<String> XML_NUMBERS =
       Set.of(
-          "boolean",
-          "string",
           "decimal",
           "double",
           "float",
@@ -36,12 +34,10 @@ public record Parameter(
           "short",
           "byte",
           "nonNegativeInteger",
-          "positiveInteger",
-          "duration",
-          "dateTime",
-          "date",
-          "time",
-          "anyURI");
+          "positiveInteger");
+
+  private static final Set<String> OTHER_XML_DATATYPES =
+      Set.of("boolean", "string", "duration", "dateTime", "date", "time", "anyURI");
 
   public Parameter {
     types = List.copyOf(types);
@@ -60,8 +56,15 @@ public record Parameter(
     return !types.isEmpty() && types.stream().noneMatch(Parameter::isDatatype);
   }
 
+  /** Whether a type of this name is one of numbers. */
+  public static boolean isNumber(String type) {
+    return XML_NUMBERS.contains(type);
+  }
+
   /** Whether a type of this name is one of values, not of things. */
   public static boolean isDatatype(String type) {
-    return OWN_DATATYPES.contains(type) || XML_DATATYPES.contains(type);
+    return OWN_DATATYPES.contains(type)
+        || XML_NUMBERS.contains(type)
+        || OTHER_XML_DATATYPES.contains(type);
   }
 }

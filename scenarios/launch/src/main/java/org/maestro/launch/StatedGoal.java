@@ -74,6 +74,12 @@ abstract class StatedGoal implements Callable<Integer> {
 
   @Mixin private StakesOptions stakes;
 
+  @Option(
+      names = "--as",
+      paramLabel = "PERSON",
+      description = "The person of the home for whom it is; what she may not is not done.")
+  private Optional<String> speaker = Optional.empty();
+
   /** The last line of a story is on its way when the goal has ended; it comes by itself. */
   private static final Duration STORY_ENDS = Duration.ofSeconds(2);
 
@@ -311,6 +317,7 @@ abstract class StatedGoal implements Callable<Integer> {
     return new AskedGoal(goal())
         .priority(priority)
         .deadlineSeconds(deadlineSeconds)
+        .speaker(speaker)
         .stakes(stakes.asked())
         .content();
   }

@@ -113,15 +113,18 @@ final class UnderstandCommand implements Callable<Integer> {
       Understanding understood = language.understand(columns[0], situation);
       double microseconds =
           (System.nanoTime() - begun) / 1e3 / Math.max(1, understood.heard().size());
+      Optional<String> refusal = language.refusal(understood, situation);
       if (wordByWord) {
         text.narrowing(language, columns[0], situation, out);
       }
       if (json) {
         ObjectNode document = text.document(understood);
+        document.put("refusal", refusal.orElse(null));
         document.put("microseconds", Math.round(microseconds * 10) / 10.0);
         out.println(document);
       } else {
         text.print(understood, out);
+        refusal.ifPresent(sentence -> out.println("  tells  " + sentence));
       }
     }
     return ExitCode.DONE;

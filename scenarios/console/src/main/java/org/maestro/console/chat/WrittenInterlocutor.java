@@ -69,7 +69,8 @@ public final class WrittenInterlocutor implements Interlocutor {
     Reading reading =
         heard.reading().orElseGet(() -> withReply(read(words, utterance), heard.reply()));
     if (reading instanceof Reading.Goals goals) {
-      goals.formulas().forEach(goal -> state(goal, utterance.asker(), listener, words));
+      permitted(goals.formulas(), utterance)
+          .forEach(goal -> state(goal, utterance, listener, words));
     } else if (reading instanceof Reading.Said said) {
       listener.accept(new ChatEvent.Told("", said.text()));
     } else if (reading instanceof Reading.Back back) {
@@ -89,7 +90,7 @@ public final class WrittenInterlocutor implements Interlocutor {
           listener,
           words);
     } else if (reading instanceof Reading.Goal goal) {
-      state(goal.formula(), utterance.asker(), listener, words);
+      state(goal.formula(), utterance, listener, words);
     } else if (reading instanceof Reading.Question question) {
       ask(question.formula(), utterance.asker(), listener, words);
     } else if (reading instanceof Reading.Unfinished part) {
@@ -151,25 +152,39 @@ public final class WrittenInterlocutor implements Interlocutor {
     return className.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
   }
 
+  /** Where she may not have a part done, nothing of the whole is begun. */
+  private List<String> permitted(List<String> goals, Utterance utterance) {
+    List<String> refused =
+        goals.stream().filter(goal -> spoken.refusal(goal, utterance).isPresent()).toList();
+    return refused.isEmpty() ? goals : refused;
+  }
+
+  /** The central agent refuses what may not be; she is told why in her own language. */
   private void state(
-      String goal, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
+      String goal, Utterance utterance, Consumer<ChatEvent> listener, WrittenWords words) {
     CompletableFuture<GoalReport> report = new CompletableFuture<>();
+    Optional<String> refusal = spoken.refusal(goal, utterance);
     questions
-        .state(new AskedGoal(goal).person(asker), report::complete)
+        .state(
+            new AskedGoal(goal).person(utterance.asker()).speaker(Optional.of(utterance.person())),
+            report::complete)
         .thenAccept(
             id -> {
               listener.accept(new ChatEvent.Understood(id, goal));
-              follow(id, report, listener);
+              follow(id, report, refusal, listener);
             })
         .exceptionally(
-            refusal -> {
-              listener.accept(misunderstood(goal, refusal, words));
+            failure -> {
+              listener.accept(misunderstood(goal, failure, words));
               return null;
             });
   }
 
   private void follow(
-      String id, CompletableFuture<GoalReport> report, Consumer<ChatEvent> listener) {
+      String id,
+      CompletableFuture<GoalReport> report,
+      Optional<String> refusal,
+      Consumer<ChatEvent> listener) {
     stories.follow(
         id,
         entry -> {
@@ -177,7 +192,11 @@ public final class WrittenInterlocutor implements Interlocutor {
             report
                 .thenAccept(
                     ended ->
-                        listener.accept(new ChatEvent.Ended(id, ended.reached(), entry.text())))
+                        listener.accept(
+                            new ChatEvent.Ended(
+                                id,
+                                ended.reached(),
+                                ended.reached() ? entry.text() : refusal.orElse(entry.text()))))
                 .exceptionally(failure -> null);
           } else if (TOLD.contains(entry.kind())) {
             listener.accept(new ChatEvent.Told(id, entry.text()));

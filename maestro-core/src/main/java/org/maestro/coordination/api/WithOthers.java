@@ -1,15 +1,14 @@
-package org.maestro.agents.negotiation;
+package org.maestro.coordination.api;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.maestro.coordination.api.ContractNet;
-import org.maestro.coordination.api.Proposal;
 import org.maestro.planning.api.Step;
 
 /** A round with the bids of those who were not asked. */
-record WithOthers(ContractNet.Round round, List<Proposal> others) implements ContractNet.Round {
-  WithOthers {
+public record WithOthers(ContractNet.Round round, List<Proposal> others)
+    implements ContractNet.Round {
+  public WithOthers {
     others = List.copyOf(others);
   }
 
