@@ -22,9 +22,7 @@ final class Values {
   }
 
   private static Optional<Term> word(Form said) {
-    return isReference(said.head())
-        ? Optional.empty()
-        : Optional.of(new Term.Text(said.head()));
+    return isReference(said.head()) ? Optional.empty() : Optional.of(new Term.Text(said.head()));
   }
 
   private static Optional<Term> value(Form said) {

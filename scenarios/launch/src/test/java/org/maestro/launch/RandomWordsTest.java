@@ -120,7 +120,9 @@ class RandomWordsTest {
     int understood = 0;
     for (int i = 0; i < utterances; i++) {
       SpokenEvening.Line line = lines.get(random.nextInt(lines.size()));
-      String text = String.join(" ", random.nextInt(8) == 0 ? anyWords(vocabulary) : mutated(line, vocabulary));
+      String text =
+          String.join(
+              " ", random.nextInt(8) == 0 ? anyWords(vocabulary) : mutated(line, vocabulary));
       long begun = coreNanos();
       Understanding understanding =
           language.understand(text, evening.situation(evening.home(), line));
