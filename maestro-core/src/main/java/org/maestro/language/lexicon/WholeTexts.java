@@ -29,8 +29,12 @@ public final class WholeTexts implements Predicate<Form> {
             .noneMatch(role -> unfinished.contains(lastWord(role.part(1))));
   }
 
+  /** The last of words as they are; "" of a phrase. */
   private static String lastWord(Form filler) {
     List<Form> parts = filler.parts();
-    return filler.is("text") ? parts.get(parts.size() - 1).head() : filler.head();
+    if (parts.isEmpty()) {
+      return filler.head();
+    }
+    return filler.is("text") ? parts.get(parts.size() - 1).head() : "";
   }
 }
