@@ -21,7 +21,7 @@ import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
-/** What the shipped words of English mean is said in words that the home has. */
+/** What the shipped words of each language mean is said in words that the home has. */
 class ShippedWordsTest {
 
   /** Who and what a message may speak of beside its roles. */
@@ -109,6 +109,25 @@ class ShippedWordsTest {
         .contains("lightingUp", "putting", "bringingSomebody", "goingTo")
         .doesNotContain("changingTheDisc", "playingAFilm", "serving");
     assertThat(words.names()).containsKey("Lamp").doesNotContainKey("Stereo");
+  }
+
+  @Test
+  void aRoleIsOneInWhicheverLanguageItIsAskedFor() {
+    for (Construction construction : home("bob").wording().constructions()) {
+      assertThat(construction.roles())
+          .as(construction.name())
+          .extracting(Construction.Role::name)
+          .doesNotHaveDuplicates();
+    }
+    Construction.Role object =
+        home("bob").wording().constructions().stream()
+            .filter(construction -> construction.name().equals("lightingUp"))
+            .findFirst()
+            .orElseThrow()
+            .roles()
+            .get(0);
+    assertThat(object.type()).isEqualTo("Lamp");
+    assertThat(object.questions()).extracting(Said::language).containsExactlyInAnyOrder("en", "de");
   }
 
   private static List<String> types(Home home, Construction.Role role) {
