@@ -107,7 +107,7 @@ public final class Language {
   public Understanding understand(String utterance, Situation situation) {
     Listening listening = listen(situation);
     words(utterance).forEach(listening::hear);
-    return listening.end(utterance);
+    return listening.end(utterance).in(new OwnWords(tokens, utterance));
   }
 
   /**

@@ -73,6 +73,12 @@ public record Understanding(
                 .flatMap(Meaning::message));
   }
 
+  /** The same, with texts as they were said. */
+  Understanding in(OwnWords own) {
+    return new Understanding(
+        utterance, message.map(own::of), question, reply, heard, meanings, began, coverage);
+  }
+
   /** The words that no lexicon has. */
   public List<String> unknown() {
     return heard.stream()

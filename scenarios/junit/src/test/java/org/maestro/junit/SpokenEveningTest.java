@@ -1,0 +1,86 @@
+package org.maestro.junit;
+
+import static org.maestro.junit.MaestroAssertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** What a family says in an evening is done in its house, and answered (ADE, 5). */
+@MaestroTest(home = "evening", scene = "evening")
+class SpokenEveningTest {
+
+  /** A7: there is no place from where one has to speak. */
+  @Test
+  void theSameWordsMeanTheLightOfTheRoomInWhichTheyAreSaid(Stage stage) {
+    stage.speaker("Dave").in("kitchen").says("turn on the light").isReached();
+    stage.speaker("Grandma").in("bedroom").says("turn on the light").isReached();
+    stage.speaker("Mia").in("hallway").says("turn on the light").isReached();
+
+    assertThat(stage.knowledge())
+        .knows("(= (level kitchen-lamp) 1)")
+        .knows("(= (level bed-lamp) 1)")
+        .knows("(= (level hall-lamp) 1)");
+  }
+
+  /** A10. */
+  @Test
+  void tenPercentOfFiftyAreFive(Stage stage) {
+    stage
+        .speaker("Dave")
+        .in("livingroom")
+        .says("Please increase the volume by 10%")
+        .means("(initCNP (:goal (= (volume stereo) 55)))")
+        .isReached();
+
+    assertThat(stage.knowledge()).knows("(= (volume stereo) 55)");
+  }
+
+  /** A67. */
+  @Test
+  void whatWasNotHeardIsAskedForAndTheNumberAloneIsTheAnswer(Stage stage) {
+    Speaker dave = stage.speaker("Dave").in("livingroom");
+
+    dave.says("change to disc [unintelligible]").asks("What number should I change to?");
+    dave.says("three").isReached();
+
+    assertThat(stage.knowledge()).knows("(= (disc stereo) 3)");
+  }
+
+  /** A79. */
+  @Test
+  void playersDoWhatTheyAreTold(Stage stage) {
+    Speaker dave = stage.speaker("Dave").in("livingroom");
+
+    dave.says("Turn up the volume").isReached();
+    dave.says("Change to disc 3").isReached();
+    dave.says("Switch to the satellite receiver and turn on the television.").isReached();
+
+    assertThat(stage.knowledge())
+        .knows("(= (volume stereo) 60)")
+        .knows("(= (disc stereo) 3)")
+        .knows("(source tv satellite)")
+        .knows("(switchedOn tv)");
+  }
+
+  /** A82: it is the film after a film, and else it is asked. */
+  @Test
+  void whoWantedAFilmMeansTheFilmThatIsCalledAsTheBandIs(Stage stage) {
+    Speaker dave = stage.speaker("Dave").in("livingroom");
+
+    dave.says("Play the Cure.").asks("The artist or the film?");
+    dave.says("Play the first Star Trek movie - no, actually, play the Cure.").isReached();
+
+    assertThat(stage.knowledge()).knows("(playing tv TheCureFilm)");
+  }
+
+  /** Of A84, what the children are told. */
+  @Test
+  void theChildrenAreToldThatItIsTimeForDinner(Stage stage) {
+    stage
+        .speaker("Dave")
+        .in("livingroom")
+        .says("let the kids know it's time for dinner")
+        .isReached();
+    stage.speaker("Tom").awaits("it's time for dinner");
+    stage.speaker("Mia").awaits("it's time for dinner");
+  }
+}
