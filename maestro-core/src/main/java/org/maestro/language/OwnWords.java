@@ -22,7 +22,9 @@ final class OwnWords {
     if (words.size() <= MOST) {
       for (int from = 0; from < words.size(); from++) {
         for (int to = from + 1; to <= words.size(); to++) {
-          String text = String.join(" ", words.subList(from, to)).replaceFirst("[.,!?;]+$", "");
+          String text =
+              String.join(" ", words.subList(from, to))
+                  .replaceAll("^[^\\p{L}\\p{N}]+|[.,!?;\"]+$", "");
           written.putIfAbsent(String.join(" ", tokens.of(text)), text);
         }
       }

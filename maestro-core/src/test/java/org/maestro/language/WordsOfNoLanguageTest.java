@@ -74,6 +74,7 @@ class WordsOfNoLanguageTest {
       Set.of(
           "Thing",
           "Device",
+          "Zone",
           "Person",
           "Relation",
           "inside",

@@ -120,9 +120,10 @@ public final class GoalRequests {
     }
     try {
       GoalCheck check = new GoalCheck(knowledge.home());
+      String asking = new Requester(requester.toString(), Optional.of(said.person())).toString();
       List<GoalRequest> asked = new ArrayList<>();
       for (Formula goal : goals) {
-        asked.add(GoalWords.request(goal, requester.toString(), words, agent.clock().now()));
+        asked.add(GoalWords.request(goal, asking, words, agent.clock().now()));
         check.check(asked.get(asked.size() - 1));
       }
       for (GoalRequest one : asked) {

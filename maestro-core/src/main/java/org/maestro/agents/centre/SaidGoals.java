@@ -16,6 +16,7 @@ import org.maestro.sl.Formula;
  * all of them ended. Agent thread only.
  */
 final class SaidGoals {
+  private final String person;
   private final List<Formula> goals;
   private final String means;
   private final GoalRequests.Verdict verdict;
@@ -25,12 +26,18 @@ final class SaidGoals {
   private boolean reached = true;
 
   /**
+   * @param person who was heard to say it: it is done within what she may have done
    * @param means the message that the sentence was understood to be
    */
-  SaidGoals(List<Formula> goals, String means, GoalRequests.Verdict verdict) {
+  SaidGoals(String person, List<Formula> goals, String means, GoalRequests.Verdict verdict) {
+    this.person = person;
     this.goals = List.copyOf(goals);
     this.means = means;
     this.verdict = verdict;
+  }
+
+  String person() {
+    return person;
   }
 
   List<Formula> goals() {

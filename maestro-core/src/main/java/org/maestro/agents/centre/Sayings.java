@@ -123,6 +123,7 @@ public final class Sayings {
           said.words(),
           said.caller(),
           new SaidGoals(
+              said.utterance().person(),
               formulas,
               means,
               (performative, contents) -> agent.reply(said.message(), performative, contents)));

@@ -30,7 +30,7 @@ final class Speakers {
   Optional<String> of(Caller caller, Words words) {
     Optional<String> signedIn =
         caller.user().flatMap(user -> person(name -> name.equalsIgnoreCase(user)));
-    Optional<String> said = words.string("speaker").or(() -> words.string("by"));
+    Optional<String> said = words.string("speaker");
     if (signedIn.isPresent() || said.isEmpty()) {
       return signedIn;
     }

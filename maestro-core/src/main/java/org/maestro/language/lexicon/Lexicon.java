@@ -52,6 +52,12 @@ public final class Lexicon implements WordEntries {
   /** What is said of that of which there is much, such as bright; and little, such as dark. */
   public static final String HIGH = "High";
 
+  /** A name of somebody to whom one speaks: a device, a room. */
+  public static final String ADDRESSEE = "Addressee";
+
+  /** A word for a state that is one for things, too, such as light. */
+  public static final String NOUN_STATE = "NounState";
+
   public static final String LOW = "Low";
 
   /** A state: {@code (state lampOn applianceOn)}. */

@@ -24,6 +24,7 @@ import org.maestro.sl.Term;
 /** Gathers the lexicon of a home: its labels and other names are its vocabulary. */
 public final class LexiconOfHome {
   private static final String PLURAL = "plural";
+  private static final String ZONE = "Zone";
   private static final String POSITIVE = "positive";
   private static final String ADJECTIVE_FORMS = "adjective-forms";
 
@@ -62,6 +63,7 @@ public final class LexiconOfHome {
       states.put(state.name(), state.says());
     }
     grouped(Lexicon.STATE, "state", states);
+    statesOfNouns();
     Map<String, List<Said>> attributes = new LinkedHashMap<>();
     states.forEach(
         (name, said) -> attributes.put(name, said.stream().flatMap(this::formsOf).toList()));
@@ -84,9 +86,18 @@ public final class LexiconOfHome {
         (words, same) -> {
           Form named = new Form("name", same);
           enter(Lexicon.NAME, words, named);
+          if (same.stream().allMatch(name -> isSpokenTo(name.head()))) {
+            enter(Lexicon.ADDRESSEE, words, named);
+          }
           forms("name-forms")
               .forEach(form -> enter(Lexicon.NAME_OWNING, inflected(words, form), named));
         });
+  }
+
+  private boolean isSpokenTo(String name) {
+    Individual individual = home.individuals().get(name);
+    return home.devices().containsKey(name)
+        || individual != null && individual.classes().contains(ZONE);
   }
 
   private List<String> forms(String list) {
@@ -132,6 +143,20 @@ public final class LexiconOfHome {
   private boolean isNarrower(String name, String other) {
     ClassDeclaration declared = home.vocabulary().classes().get(name);
     return !name.equals(other) && declared != null && declared.ancestors().contains(other);
+  }
+
+  /** The kitchen light is a thing, and nobody says by it that the kitchen is to become light. */
+  private void statesOfNouns() {
+    entries
+        .values()
+        .forEach(
+            categories -> {
+              List<Form> states = categories.get(Lexicon.STATE);
+              if (states != null && categories.containsKey(Lexicon.NOUN)) {
+                categories.put(Lexicon.NOUN_STATE, states);
+                categories.remove(Lexicon.STATE);
+              }
+            });
   }
 
   private Map<String, List<Said>> measures(Function<Measure, List<Said>> words) {

@@ -373,6 +373,10 @@ final class Acts {
       references.wishing();
       return frames.message(clause);
     }
+    if (clause.is("be") && (clause.part(0).is("somebody") || clause.part(0).is("nobody"))) {
+      references.die();
+      return Optional.empty();
+    }
     Optional<Formula> said =
         clause.is("be") ? states.holding(clause.part(0), clause.part(1)) : frames.holding(clause);
     return said.map(

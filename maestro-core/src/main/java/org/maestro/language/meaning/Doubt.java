@@ -36,7 +36,7 @@ public sealed interface Doubt {
   }
 
   /** It is understood, and asked back. */
-  record Confirm(String construction) implements Doubt {}
+  record Confirm() implements Doubt {}
 
   /** It was understood, and nothing is to be done about it. */
   record Nothing(String why) implements Doubt {}

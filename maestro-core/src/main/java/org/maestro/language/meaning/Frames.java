@@ -30,6 +30,7 @@ import org.maestro.sl.Term;
 final class Frames {
   private static final String GOAL = "goal";
   private static final String TIME = "time";
+  private static final String TEXT = "string";
 
   private final Situation situation;
   private final References references;
@@ -395,12 +396,24 @@ final class Frames {
       if (value.isEmpty()) {
         return Optional.empty();
       }
+      if (!role.optional() && hasText(construction) && isSpeaker(value.get())) {
+        // Nobody has himself told something.
+        references.die();
+      }
       terms.put(role.name(), value.get());
     }
     situation.speaker().ifPresent(name -> terms.put("speaker", List.of(new Term.Name(name))));
     situation.here().ifPresent(name -> terms.put("here", List.of(new Term.Name(name))));
     situation.self().ifPresent(name -> terms.put("self", List.of(new Term.Name(name))));
     return Optional.of(filled(means, terms));
+  }
+
+  private static boolean hasText(Construction construction) {
+    return construction.roles().stream().anyMatch(role -> role.type().equals(TEXT));
+  }
+
+  private boolean isSpeaker(List<Term> terms) {
+    return situation.speaker().map(Term.Name::new).filter(terms::contains).isPresent();
   }
 
   private static Content filled(Content content, Map<String, List<Term>> terms) {

@@ -23,6 +23,7 @@ public final class Interpreter {
   private final Set<String> idle;
   private final NounPhrases phrases;
   private final Settables settables;
+  private final Confirmed confirmed;
 
   /**
    * In a situation.
@@ -34,6 +35,7 @@ public final class Interpreter {
     this.idle = Set.copyOf(idle);
     this.phrases = new NounPhrases(situation);
     this.settables = new Settables(situation.home());
+    this.confirmed = new Confirmed(situation);
   }
 
   /**
@@ -67,9 +69,9 @@ public final class Interpreter {
   /**
    * What a reading means.
    *
-   * @param confirmed whether what is always asked back was asked already
+   * @param isAsked whether what is always asked back was asked already
    */
-  private Optional<Meaning> meaning(Reading reading, boolean confirmed) {
+  private Optional<Meaning> meaning(Reading reading, boolean isAsked) {
     Acts acts = Acts.in(situation, phrases.afresh(), settables, idle);
     Form form = reading.form();
     Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
@@ -83,7 +85,7 @@ public final class Interpreter {
         new Meaning(
             form,
             doubt.isPresent() ? Optional.empty() : message,
-            doubt.or(() -> confirmed ? Optional.empty() : confirmation(form, acts)),
+            doubt.or(() -> isAsked ? Optional.empty() : confirmation(form, message)),
             kind(form),
             references.broken() + references.phrases().supposed(),
             reading.penalty(),
@@ -114,13 +116,12 @@ public final class Interpreter {
     };
   }
 
-  private static Optional<Doubt> confirmation(Form form, Acts acts) {
-    if (kind(form).equals("command") && Everything.isSaidIn(form)) {
-      return Optional.of(new Doubt.Confirm(""));
-    }
-    return frame(form)
-        .filter(frame -> acts.frames().construction(frame).confirm())
-        .map(frame -> new Doubt.Confirm(frame.text(0)));
+  private Optional<Doubt> confirmation(Form form, Optional<Content> message) {
+    boolean isOfEverything = kind(form).equals("command") && Everything.isSaidIn(form);
+    boolean isCalledOff = form.is("refrain");
+    return !isCalledOff && (isOfEverything || message.filter(confirmed::isNeededBy).isPresent())
+        ? Optional.of(new Doubt.Confirm())
+        : Optional.empty();
   }
 
   private static boolean isEarly(Form form, Acts acts) {
