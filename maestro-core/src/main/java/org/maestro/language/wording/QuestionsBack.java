@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
@@ -24,8 +22,6 @@ import org.maestro.sl.Truth;
 
 /** What is asked back, or said instead, when something stays in doubt. */
 public final class QuestionsBack {
-  private static final Pattern PLACE = Pattern.compile("\\{(\\w+)}");
-
   private final Situation situation;
   private final Grammar grammar;
   private final Naming naming;
@@ -43,9 +39,9 @@ public final class QuestionsBack {
     } else if (doubt instanceof Doubt.Missing missing) {
       return missing(missing);
     } else if (doubt instanceof Doubt.NoSuch none) {
-      return filled(grammar.phrase("none"), Map.of("what", said(none.said())));
+      return Phrases.filled(grammar.phrase("none"), Map.of("what", said(none.said())));
     } else if (doubt instanceof Doubt.NotKnown unknown) {
-      return filled(
+      return Phrases.filled(
           grammar.phrase("not-known"),
           Map.of(
               "what", naming.word(unknown.fluent().name()),
@@ -74,7 +70,8 @@ public final class QuestionsBack {
             .toList();
     List<String> names = different.stream().map(naming::of).distinct().toList();
     return names.size() == 2
-        ? filled(grammar.phrase("which-name"), Map.of("first", names.get(0), "last", names.get(1)))
+        ? Phrases.filled(
+            grammar.phrase("which-name"), Map.of("first", names.get(0), "last", names.get(1)))
         : ofKinds(kinds(different));
   }
 
@@ -84,7 +81,8 @@ public final class QuestionsBack {
 
   private String ofKinds(List<String> kinds) {
     return kinds.size() == 2
-        ? filled(grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
+        ? Phrases.filled(
+            grammar.phrase("which-kind"), Map.of("first", kinds.get(0), "last", kinds.get(1)))
         : grammar.phrase("ambiguous");
   }
 
@@ -92,20 +90,15 @@ public final class QuestionsBack {
     return missing.role().questions().stream()
         .filter(question -> question.isIn(grammar.language()))
         .map(Said::text)
-        .map(text -> filled(text, rolesOf(missing.construction())))
+        .map(text -> Phrases.filled(text, rolesOf(missing.construction())))
         .findFirst()
-        .orElseGet(() -> filled(grammar.phrase("missing"), Map.of("role", missing.role().name())));
+        .orElseGet(
+            () -> Phrases.filled(grammar.phrase("missing"), Map.of("role", missing.role().name())));
   }
 
   private static Map<String, String> rolesOf(Construction construction) {
     return construction.roles().stream()
         .collect(Collectors.toMap(Construction.Role::name, role -> "it", (a, b) -> a));
-  }
-
-  private static String filled(String phrase, Map<String, String> values) {
-    Matcher places = PLACE.matcher(phrase);
-    return places.replaceAll(
-        found -> Matcher.quoteReplacement(values.getOrDefault(found.group(1), found.group(0))));
   }
 
   private String which(Doubt.Which doubt) {
@@ -119,16 +112,17 @@ public final class QuestionsBack {
       List<String> kinds = kinds(candidates);
       return kinds.size() == 2
           ? ofKinds(kinds)
-          : filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+          : Phrases.filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
     }
     List<String> choices =
         names.size() == candidates.size() ? names : byPlace(candidates).orElse(names);
     if (choices.size() > 4) {
-      return filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
+      return Phrases.filled(grammar.phrase("which-of-many"), Map.of("kind", kind));
     }
     String last = choices.get(choices.size() - 1);
     String first = String.join(", ", choices.subList(0, choices.size() - 1));
-    return filled(grammar.phrase("which"), Map.of("kind", kind, "first", first, "last", last));
+    return Phrases.filled(
+        grammar.phrase("which"), Map.of("kind", kind, "first", first, "last", last));
   }
 
   /** The class that was said. */
@@ -163,7 +157,7 @@ public final class QuestionsBack {
             places.stream()
                 .map(
                     place ->
-                        filled(
+                        Phrases.filled(
                             grammar.phrase("one-at"),
                             Map.of("preposition", word.get(), "place", place)))
                 .toList());
