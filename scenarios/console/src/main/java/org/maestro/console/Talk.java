@@ -10,8 +10,9 @@ import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation;
 import org.maestro.console.chat.Chat;
 import org.maestro.console.chat.GoalStories;
+import org.maestro.console.chat.HomeInterlocutor;
 import org.maestro.console.chat.Moods;
-import org.maestro.console.chat.WrittenInterlocutor;
+import org.maestro.console.chat.Surroundings;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.platform.MaestroPlatform;
 
@@ -38,13 +39,15 @@ final class Talk implements AutoCloseable {
     this.chat =
         new Chat(
             platform.knowledge()::home,
-            () ->
-                new WrittenInterlocutor(
+            HomeInterlocutor.of(
+                new Surroundings(
                     platform.knowledge()::home,
                     platform.knowledge()::snapshot,
                     platform::instant,
-                    questions,
-                    stories),
+                    platform::now,
+                    platform::presentMembers),
+                questions,
+                stories),
             questions::answer,
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);

@@ -84,7 +84,8 @@ final class SayCommand implements Callable<Integer> {
       case "understood" -> {
         pursued.add(goal);
         answered = true;
-        out.println(goal + ": " + text);
+        // What is stated in MAESTRO-SL is asked about by its id, what is said by saying so.
+        out.println(text.startsWith("(") ? goal + ": " + text : text);
       }
       case "reached", "ended" -> {
         if (pursued.remove(goal) && entry.path("kind").asText().equals("ended")) {

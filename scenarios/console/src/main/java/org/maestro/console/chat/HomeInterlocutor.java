@@ -1,7 +1,7 @@
 package org.maestro.console.chat;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.time.Instant;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -12,20 +12,21 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.coordination.api.StoryEntry;
-import org.maestro.ontology.home.Home;
-import org.maestro.sl.Facts;
+import org.maestro.language.wording.GoalWords;
+import org.maestro.language.wording.Wish;
 
 /**
- * An interlocutor who understands what people say in their language, and reads goals and questions
- * as they are written, too; states the goals, and tells how they fare in the sentences of their
- * stories.
+ * The home itself as an interlocutor: understands what people say in their language, and reads
+ * goals and questions as they are written, too; states the goals, tells how they fare, in words
+ * where they were said in words, and answers what is asked about them.
  */
-public final class WrittenInterlocutor implements Interlocutor {
+public final class HomeInterlocutor implements Interlocutor {
   private static final int MOST_CHOICES = 12;
   private static final Set<StoryEntry.Kind> TOLD =
       EnumSet.of(
@@ -41,39 +42,105 @@ public final class WrittenInterlocutor implements Interlocutor {
           StoryEntry.Kind.LOST,
           StoryEntry.Kind.RESTART);
 
-  private final Supplier<Home> home;
+  private final Surroundings around;
   private final AclQuestions questions;
   private final GoalStories stories;
   private final SpokenWords spoken;
+  private final StatedGoals stated;
+  private final GoalAnswers answers;
+  private final SpokenGoals goals;
 
   /** What was said, and where, of a goal that lacks its last part; guarded by this. */
   private Optional<Utterance> unfinished = Optional.empty();
 
+  /** What was asked back about goals; guarded by this. */
+  private Optional<Open> open = Optional.empty();
+
+  /** A question of its own that is open. */
+  private sealed interface Open {
+    /** Whether to find something out, by that goal. */
+    record Look(String goal) implements Open {}
+
+    /** Which goal is to be called off. */
+    record Which(List<KnownGoal> goals) implements Open {}
+  }
+
   /**
-   * @param home as it is known at the time
-   * @param facts what is known at the time
-   * @param now the time that clocks on the walls show
+   * @param stories of all goals
+   * @param stated what was asked for, by whoever
    */
-  public WrittenInterlocutor(
-      Supplier<Home> home,
-      Supplier<? extends Facts> facts,
-      Supplier<Instant> now,
-      AclQuestions questions,
-      GoalStories stories) {
-    this.home = home;
-    this.spoken = new SpokenWords(home, facts, now);
+  HomeInterlocutor(
+      Surroundings around, AclQuestions questions, GoalStories stories, StatedGoals stated) {
+    this.around = around;
+    this.spoken = new SpokenWords(around.home(), around.facts(), around.clock());
     this.questions = questions;
     this.stories = stories;
+    this.stated = stated;
+    this.answers = new GoalAnswers(around, questions, stated);
+    this.goals = new SpokenGoals(around, questions, stories, stated, answers);
+  }
+
+  /** Who answers each person of a home; all know what was asked for by whom. */
+  public static Supplier<Interlocutor> of(
+      Surroundings around, AclQuestions questions, GoalStories stories) {
+    StatedGoals stated = new StatedGoals();
+    return () -> new HomeInterlocutor(around, questions, stories, stated);
   }
 
   @Override
   public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
-    WrittenWords words = new WrittenWords(home.get());
+    GoalWords words = spoken.goals(utterance.person());
+    Optional<Open> asked = closed();
+    if (asked.isPresent() && asked.get() instanceof Open.Which which) {
+      List<KnownGoal> named = CallingOff.named(which.goals(), utterance.text(), words);
+      if (!named.isEmpty()) {
+        callOff(named, utterance, words, listener);
+        return;
+      }
+    }
+    WrittenWords written = new WrittenWords(around.home().get());
     SpokenWords.Hearing heard = inWords(utterance);
     Reading reading =
-        heard.reading().orElseGet(() -> withReply(read(words, utterance), heard.reply()));
-    if (reading instanceof Reading.Goals goals) {
-      goals.formulas().forEach(goal -> state(goal, utterance.asker(), listener, words));
+        heard.reading().orElseGet(() -> withReply(read(written, utterance), heard.reply()));
+    if (reading instanceof Reading.Agreed agreed) {
+      agree(agreed, asked, utterance, words, listener);
+    } else if (reading instanceof Reading.CalledOff off) {
+      if (off.formula().isEmpty() && (asked.isPresent() || heard.answering())) {
+        listener.accept(new ChatEvent.Told("", words.phrase("no")));
+      } else {
+        callOff(off, utterance, words, listener);
+      }
+    } else {
+      respond(reading, utterance, words, written, listener);
+    }
+  }
+
+  /** The question that was open; it is open no more. */
+  private synchronized Optional<Open> closed() {
+    Optional<Open> was = open;
+    open = Optional.empty();
+    return was;
+  }
+
+  private synchronized void ask(Open question) {
+    open = Optional.of(question);
+  }
+
+  private void respond(
+      Reading reading,
+      Utterance utterance,
+      GoalWords words,
+      WrittenWords written,
+      Consumer<ChatEvent> listener) {
+    if (reading instanceof Reading.Goals several) {
+      goals.state(several.formulas(), utterance, words, listener);
+    } else if (reading instanceof Reading.Again) {
+      again(utterance, words, listener);
+    } else if (reading instanceof Reading.About about) {
+      tell(answers.of(about, utterance.person(), words), words, listener);
+    } else if (reading instanceof Reading.Able able) {
+      listener.accept(
+          new ChatEvent.Told("", spoken.able(utterance, around.present().get(), able.place())));
     } else if (reading instanceof Reading.Said said) {
       listener.accept(new ChatEvent.Told("", said.text()));
     } else if (reading instanceof Reading.Back back) {
@@ -81,28 +148,141 @@ public final class WrittenInterlocutor implements Interlocutor {
     } else if (reading instanceof Reading.Counted counted) {
       answer(
           counted.formula(),
-          answers -> spoken.counted(answers, counted.formula()),
+          known -> new ChatEvent.Told("", spoken.counted(known, counted.formula())),
           utterance.asker(),
           listener,
-          words);
-    } else if (reading instanceof Reading.Asked asked) {
-      answer(asked.formula(), spoken::answer, utterance.asker(), listener, words);
+          written);
+    } else if (reading instanceof Reading.Asked question) {
+      answer(
+          question.formula(),
+          known -> answered(question.formula(), known, words),
+          utterance.asker(),
+          listener,
+          written);
     } else if (reading instanceof Reading.Goal goal) {
-      state(goal.formula(), utterance.asker(), listener, words);
+      state(goal.formula(), utterance.asker(), listener, written);
     } else if (reading instanceof Reading.Question question) {
-      ask(question.formula(), utterance.asker(), listener, words);
+      ask(question.formula(), utterance.asker(), listener, written);
     } else if (reading instanceof Reading.Unfinished part) {
-      listener.accept(questionBack(part, words));
+      listener.accept(questionBack(part, written));
     } else if (reading instanceof Reading.Unclear unclear) {
       listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
     }
+  }
+
+  private void agree(
+      Reading.Agreed agreed,
+      Optional<Open> asked,
+      Utterance utterance,
+      GoalWords words,
+      Consumer<ChatEvent> listener) {
+    if (agreed.yes() && asked.isPresent() && asked.get() instanceof Open.Look look) {
+      goals.state(List.of(look.goal()), utterance, words, listener);
+    } else if (agreed.yes()
+        && asked.isPresent()
+        && asked.get() instanceof Open.Which which
+        && which.goals().size() == 1) {
+      callOff(which.goals(), utterance, words, listener);
+    } else if (agreed.yes()) {
+      asked.ifPresent(this::ask);
+      listener.accept(new ChatEvent.Misunderstood(agreed.reply(), List.of()));
+    } else {
+      listener.accept(new ChatEvent.Told("", agreed.reply()));
+    }
+  }
+
+  private void callOff(
+      Reading.CalledOff off, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    String person = utterance.person();
+    answers
+        .goals()
+        .thenAccept(
+            all -> {
+              CallingOff which =
+                  off.formula()
+                      .map(formula -> CallingOff.of(all, person, formula))
+                      .orElseGet(() -> CallingOff.last(all, person, stated.lastOf(person)));
+              if (!which.meant().isEmpty()) {
+                callOff(which.meant(), utterance, words, listener);
+              } else if (which.possible().isEmpty()) {
+                listener.accept(new ChatEvent.Told("", words.phrase("call-off-nothing")));
+              } else {
+                ask(new Open.Which(which.possible()));
+                List<Wish> wishes = which.possible().stream().map(KnownGoal::wish).toList();
+                listener.accept(new ChatEvent.Asked(words.which(wishes), words.choices(wishes)));
+              }
+            })
+        .exceptionally(failure -> refused(failure, words, listener));
+  }
+
+  private void callOff(
+      List<KnownGoal> which, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    CompletableFuture.allOf(
+            which.stream()
+                .map(goal -> questions.cancel(goal.id(), utterance.asker()))
+                .toArray(CompletableFuture[]::new))
+        .thenAccept(done -> listener.accept(new ChatEvent.Told("", words.phrase("no"))))
+        .exceptionally(failure -> refused(failure, words, listener));
+  }
+
+  /** What she has asked for last is stated once more. */
+  private void again(Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    List<String> last = stated.lastOf(utterance.person());
+    questions
+        .goals()
+        .thenAccept(
+            document -> {
+              List<String> formulas = new ArrayList<>();
+              document
+                  .path("goals")
+                  .forEach(
+                      row -> {
+                        if (last.contains(row.path("id").asText())) {
+                          formulas.add(row.path("goal").asText());
+                        }
+                      });
+              if (formulas.isEmpty()) {
+                listener.accept(new ChatEvent.Told("", words.phrase("again-nothing")));
+              } else {
+                goals.state(formulas, utterance, words, listener);
+              }
+            })
+        .exceptionally(failure -> refused(failure, words, listener));
+  }
+
+  private static void tell(
+      CompletableFuture<String> sentence, GoalWords words, Consumer<ChatEvent> listener) {
+    sentence
+        .thenAccept(text -> listener.accept(new ChatEvent.Told("", text)))
+        .exceptionally(failure -> refused(failure, words, listener));
+  }
+
+  private static @Nullable Void refused(
+      Throwable failure, GoalWords words, Consumer<ChatEvent> listener) {
+    listener.accept(
+        new ChatEvent.Misunderstood(
+            words.report(String.valueOf(cause(failure).getMessage())), List.of()));
+    return null;
+  }
+
+  /** What nobody knows may be found out, if she wishes it. */
+  private ChatEvent answered(String question, JsonNode known, GoalWords words) {
+    String answer = spoken.answer(known);
+    Optional<String> look =
+        Optional.of(question)
+            .filter(asked -> SpokenWords.isUnknown(known))
+            .flatMap(asked -> Looking.goal(asked, around));
+    look.ifPresent(goal -> ask(new Open.Look(goal)));
+    return look.isPresent()
+        ? new ChatEvent.Asked(answer + " " + words.phrase("look"), List.of())
+        : new ChatEvent.Told("", answer);
   }
 
   /** What is not written in MAESTRO-SL may be said as people speak. */
   private SpokenWords.Hearing inWords(Utterance utterance) {
     String text = utterance.text().strip();
     return text.startsWith("(") || text.startsWith("?")
-        ? new SpokenWords.Hearing(Optional.empty(), Optional.empty())
+        ? SpokenWords.Hearing.NOTHING
         : spoken.read(utterance);
   }
 
@@ -183,13 +363,13 @@ public final class WrittenInterlocutor implements Interlocutor {
   /** All who look read what is answered here: of what is private only what the desk itself may. */
   private void answer(
       String question,
-      Function<JsonNode, String> sentence,
+      Function<JsonNode, ChatEvent> event,
       Optional<String> asker,
       Consumer<ChatEvent> listener,
       WrittenWords words) {
     questions
         .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(answers -> listener.accept(new ChatEvent.Told("", sentence.apply(answers))))
+        .thenAccept(known -> listener.accept(event.apply(known)))
         .exceptionally(
             refusal -> {
               listener.accept(misunderstood(question, refusal, words));
@@ -202,7 +382,7 @@ public final class WrittenInterlocutor implements Interlocutor {
       String question, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
     questions
         .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(answers -> tell(answers, listener))
+        .thenAccept(known -> tell(known, listener))
         .exceptionally(
             refusal -> {
               listener.accept(misunderstood(question, refusal, words));
@@ -216,10 +396,13 @@ public final class WrittenInterlocutor implements Interlocutor {
   }
 
   private static ChatEvent misunderstood(String said, Throwable refusal, WrittenWords words) {
-    Throwable cause =
-        refusal instanceof CompletionException && refusal.getCause() != null
-            ? refusal.getCause()
-            : refusal;
-    return new ChatEvent.Misunderstood(String.valueOf(cause.getMessage()), words.near(said));
+    return new ChatEvent.Misunderstood(
+        String.valueOf(cause(refusal).getMessage()), words.near(said));
+  }
+
+  private static Throwable cause(Throwable failure) {
+    return failure instanceof CompletionException && failure.getCause() != null
+        ? failure.getCause()
+        : failure;
   }
 }

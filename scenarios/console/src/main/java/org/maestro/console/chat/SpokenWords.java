@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -16,9 +17,12 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
+import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
+import org.maestro.language.wording.AbilityWords;
 import org.maestro.language.wording.AnswerWords;
+import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.sl.Evaluation;
@@ -65,12 +69,17 @@ final class SpokenWords {
    *
    * @param reading what is meant, or what is to be asked back; empty when it is not understood
    * @param reply what is to be said when nobody else understands it
+   * @param answering whether something was asked back before
    */
-  record Hearing(Optional<Reading> reading, Optional<String> reply) {}
+  record Hearing(Optional<Reading> reading, Optional<String> reply, boolean answering) {
+    /** Nothing was heard. */
+    static final Hearing NOTHING = new Hearing(Optional.empty(), Optional.empty(), false);
+  }
 
   /** What is meant. */
   synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
+    boolean isAsked = discourse.asked().isPresent();
     Understanding understood =
         language(there).understand(utterance.text(), situation(there, utterance));
     Optional<Reading> reading =
@@ -78,11 +87,38 @@ final class SpokenWords {
             .message()
             .flatMap(message -> MessageReading.of(message, there))
             .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
-            .or(() -> social(understood));
+            .or(() -> social(understood))
+            .or(() -> agreed(understood));
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
-    return new Hearing(reading, understood.reply());
+    return new Hearing(reading, understood.reply(), isAsked);
+  }
+
+  /** A yes or no that answers nothing of which the language knows. */
+  private static Optional<Reading> agreed(Understanding understood) {
+    return understood.meanings().stream()
+        .findFirst()
+        .map(Meaning::form)
+        .filter(form -> form.is("no") || form.is("yes") && form.parts().isEmpty())
+        .map(form -> new Reading.Agreed(form.is("yes"), understood.reply().orElse("")));
+  }
+
+  /** The words in which she is told of goals. */
+  synchronized GoalWords goals(String person) {
+    Home there = home.get();
+    return new GoalWords(there, language(there).grammar(), Optional.of(person));
+  }
+
+  /**
+   * What can be done.
+   *
+   * @param present the members that can be used
+   */
+  synchronized String able(Utterance utterance, Collection<String> present, Optional<Term> place) {
+    Home there = home.get();
+    return new AbilityWords(situation(there, utterance), language(there).grammar())
+        .of(present, place);
   }
 
   /** A greeting is answered, and nothing else comes of it. */
@@ -97,6 +133,13 @@ final class SpokenWords {
   /** What is known of a question that was understood, as people say it. */
   synchronized String answer(JsonNode document) {
     return answers().of(found(document));
+  }
+
+  /** Whether nobody knows an answer to it. */
+  static boolean isUnknown(JsonNode document) {
+    List<AnswerWords.Found> found = found(document);
+    return found.stream().noneMatch(one -> one.truth() == Truth.TRUE)
+        && (found.isEmpty() || found.stream().anyMatch(one -> one.truth() == Truth.UNKNOWN));
   }
 
   /**

@@ -1,0 +1,226 @@
+package org.maestro.console.chat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
+import java.util.EnumSet;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import org.maestro.agents.content.AskedGoal;
+import org.maestro.agents.content.GoalReport;
+import org.maestro.console.questions.AclQuestions;
+import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.StoryEntry;
+import org.maestro.knowledge.api.Belief;
+import org.maestro.knowledge.api.Snapshot;
+import org.maestro.knowledge.api.Source;
+import org.maestro.language.wording.GoalWords;
+import org.maestro.language.wording.Wish;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Leaves;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+
+/**
+ * States goals that were said in words, and tells in words what becomes of them. Any thread may use
+ * it.
+ */
+final class SpokenGoals {
+  private static final Pattern GOAL = Pattern.compile("\\bG\\d+(\\.\\d+)*\\b");
+  private static final double A_WHILE_SECONDS = 3;
+  private static final Set<StoryEntry.Kind> TOLD =
+      EnumSet.of(StoryEntry.Kind.MISCONDUCT, StoryEntry.Kind.LOST, StoryEntry.Kind.RESTART);
+
+  private final Surroundings around;
+  private final AclQuestions questions;
+  private final GoalStories stories;
+  private final StatedGoals stated;
+  private final GoalAnswers answers;
+
+  SpokenGoals(
+      Surroundings around,
+      AclQuestions questions,
+      GoalStories stories,
+      StatedGoals stated,
+      GoalAnswers answers) {
+    this.around = around;
+    this.questions = questions;
+    this.stories = stories;
+    this.stated = stated;
+    this.answers = answers;
+  }
+
+  /** All that one utterance states. */
+  void state(
+      List<String> goals, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    long turn = stated.turn();
+    goals.forEach(goal -> new Course(goal, utterance, turn, words, listener).begin());
+  }
+
+  /** What becomes of one goal. */
+  private final class Course {
+    private final String text;
+    private final Optional<Formula> formula;
+    private final Utterance utterance;
+    private final long turn;
+    private final GoalWords words;
+    private final Consumer<ChatEvent> listener;
+    private final AtomicBoolean isOver = new AtomicBoolean();
+    private final CompletableFuture<GoalReport> report = new CompletableFuture<>();
+    private final Set<String> toldSteps = new HashSet<>();
+
+    Course(
+        String text,
+        Utterance utterance,
+        long turn,
+        GoalWords words,
+        Consumer<ChatEvent> listener) {
+      this.text = text;
+      this.formula = KnownGoal.formula(text, around.home().get());
+      this.utterance = utterance;
+      this.turn = turn;
+      this.words = words;
+      this.listener = listener;
+    }
+
+    private Wish wish() {
+      return new Wish(
+          formula, Optional.of(utterance.text()), Optional.of(utterance.person()), Duration.ZERO);
+    }
+
+    void begin() {
+      questions
+          .state(new AskedGoal(text).person(utterance.asker()), report::complete)
+          .thenAccept(
+              id -> {
+                stated.stated(
+                    id, new StatedGoals.Stated(utterance.person(), utterance.text(), turn));
+                listener.accept(new ChatEvent.Understood(id, words.accepted(wish())));
+                stories.follow(id, entry -> happened(id, entry));
+              })
+          .exceptionally(
+              refusal -> {
+                listener.accept(refused(refusal));
+                return null;
+              });
+    }
+
+    private ChatEvent refused(Throwable refusal) {
+      Throwable cause =
+          refusal instanceof CompletionException && refusal.getCause() != null
+              ? refusal.getCause()
+              : refusal;
+      return new ChatEvent.Misunderstood(
+          words.failed(wish(), List.of(spoken(String.valueOf(cause.getMessage())))), List.of());
+    }
+
+    /** Other goals have no names that people know. */
+    private String spoken(String sentence) {
+      return GOAL.matcher(sentence).replaceAll(words.phrase("all-doing"));
+    }
+
+    private void tell(String id, String sentence) {
+      if (!isOver.get()) {
+        listener.accept(new ChatEvent.Told(id, sentence));
+      }
+    }
+
+    private void happened(String id, StoryEntry entry) {
+      switch (entry.kind()) {
+        case END -> report.thenAccept(ended -> end(id, ended)).exceptionally(failure -> null);
+        case HELD -> tell(id, words.reached(formula, true));
+        case STEP ->
+            questions
+                .plans(id)
+                .thenAccept(plans -> steps(id, plans))
+                .exceptionally(failure -> null);
+        case WAIT -> answers.goals().thenAccept(goals -> waits(id, goals)).exceptionally(f -> null);
+        default -> {
+          if (TOLD.contains(entry.kind())) {
+            tell(id, words.report(spoken(entry.text())));
+          }
+        }
+      }
+    }
+
+    /** What another goal keeps from it. */
+    private void waits(String id, List<KnownGoal> goals) {
+      List<Wish> holders =
+          goals.stream()
+              .filter(goal -> goal.id().equals(id))
+              .flatMap(goal -> goal.holders().stream())
+              .flatMap(holder -> goals.stream().filter(goal -> goal.id().equals(holder)))
+              .map(KnownGoal::wish)
+              .toList();
+      if (!holders.isEmpty()) {
+        tell(id, words.waitsFor(holders));
+      }
+    }
+
+    /** Each step that takes a while, when it has begun. */
+    private synchronized void steps(String id, JsonNode plans) {
+      for (JsonNode plan : plans.path("plans")) {
+        for (JsonNode step : plan.path("steps")) {
+          String key = plan.path("number").asText() + "." + step.path("number").asText();
+          if (plan.path("steps").size() > 1
+              && step.path("state").asText().equals("under-way")
+              && step.path("duration_s").asDouble() >= A_WHILE_SECONDS
+              && toldSteps.add(key)) {
+            tell(
+                id,
+                words.step(
+                    step.path("member").asText(),
+                    step.path("feature").asText(),
+                    step.path("text").asText()));
+          }
+        }
+      }
+    }
+
+    private void end(String id, GoalReport ended) {
+      isOver.set(true);
+      if (ended.state() == GoalState.FAILED) {
+        stated.failed(id, ended.reasons().stream().map(this::spoken).toList());
+      }
+      listener.accept(new ChatEvent.Ended(id, ended.reached(), sentence(ended)));
+    }
+
+    private String sentence(GoalReport ended) {
+      return switch (ended.state()) {
+        case ACHIEVED -> reached(ended);
+        case CANCELLED -> words.calledOff(wish());
+        default ->
+            words.failed(wish(), ended.reasons().stream().limit(1).map(this::spoken).toList());
+      };
+    }
+
+    private String reached(GoalReport ended) {
+      Optional<Formula> found = formula.map(new Substitution(ended.binding())::apply);
+      return words.reached(found, ended.confirmed() || found.filter(this::isTold).isPresent());
+    }
+
+    /** Whether it was seen, or is told by the device itself that is in that state. */
+    private boolean isTold(Formula formula) {
+      Snapshot snapshot = around.facts().get();
+      boolean[] all = {true};
+      Leaves.of(
+          formula,
+          atom -> all[0] &= atom.isGround() && isTold(snapshot.belief(atom)),
+          fluent ->
+              all[0] &=
+                  fluent.arguments().stream().allMatch(Term::isGround)
+                      && isTold(snapshot.belief(fluent)));
+      return all[0];
+    }
+
+    private static boolean isTold(Optional<Belief> belief) {
+      return belief.filter(one -> one.source().kind() != Source.Kind.EXPECTED).isPresent();
+    }
+  }
+}
