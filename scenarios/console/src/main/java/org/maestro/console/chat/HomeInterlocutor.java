@@ -2,22 +2,15 @@ package org.maestro.console.chat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.AgentNames;
-import org.maestro.agents.content.AskedGoal;
-import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
-import org.maestro.coordination.api.StoryEntry;
 import org.maestro.language.wording.GoalWords;
 import org.maestro.language.wording.Wish;
 
@@ -27,31 +20,12 @@ import org.maestro.language.wording.Wish;
  * where they were said in words, and answers what is asked about them.
  */
 public final class HomeInterlocutor implements Interlocutor {
-  private static final int MOST_CHOICES = 12;
-  private static final Set<StoryEntry.Kind> TOLD =
-      EnumSet.of(
-          StoryEntry.Kind.PLAN,
-          StoryEntry.Kind.WAIT,
-          StoryEntry.Kind.STEP,
-          StoryEntry.Kind.FAILED,
-          StoryEntry.Kind.MISCONDUCT,
-          StoryEntry.Kind.REPLAN,
-          StoryEntry.Kind.CONFIRM,
-          StoryEntry.Kind.SEARCHED,
-          StoryEntry.Kind.HELD,
-          StoryEntry.Kind.LOST,
-          StoryEntry.Kind.RESTART);
-
   private final Surroundings around;
   private final AclQuestions questions;
-  private final GoalStories stories;
   private final SpokenWords spoken;
   private final StatedGoals stated;
-  private final GoalAnswers answers;
+  private final WrittenTalk written;
   private final SpokenGoals goals;
-
-  /** What was said, and where, of a goal that lacks its last part; guarded by this. */
-  private Optional<Utterance> unfinished = Optional.empty();
 
   /** What was asked back about goals; guarded by this. */
   private Optional<Open> open = Optional.empty();
@@ -74,10 +48,9 @@ public final class HomeInterlocutor implements Interlocutor {
     this.around = around;
     this.spoken = new SpokenWords(around.home(), around.facts(), around.clock());
     this.questions = questions;
-    this.stories = stories;
     this.stated = stated;
-    this.answers = new GoalAnswers(around, questions, stated);
-    this.goals = new SpokenGoals(around, questions, stories, stated, answers);
+    this.written = new WrittenTalk(around, questions, stories, stated);
+    this.goals = new SpokenGoals(around, questions, stories, stated);
   }
 
   /** Who answers each person of a home; all know what was asked for by whom. */
@@ -98,10 +71,9 @@ public final class HomeInterlocutor implements Interlocutor {
         return;
       }
     }
-    WrittenWords written = new WrittenWords(around.home().get());
     SpokenWords.Hearing heard = inWords(utterance);
     Reading reading =
-        heard.reading().orElseGet(() -> withReply(read(written, utterance), heard.reply()));
+        heard.reading().orElseGet(() -> withReply(written.read(utterance), heard.reply()));
     if (reading instanceof Reading.Agreed agreed) {
       agree(agreed, asked, utterance, words, listener);
     } else if (reading instanceof Reading.CalledOff off) {
@@ -111,7 +83,7 @@ public final class HomeInterlocutor implements Interlocutor {
         callOff(off, utterance, words, listener);
       }
     } else {
-      respond(reading, utterance, words, written, listener);
+      respond(reading, utterance, words, listener);
     }
   }
 
@@ -127,17 +99,13 @@ public final class HomeInterlocutor implements Interlocutor {
   }
 
   private void respond(
-      Reading reading,
-      Utterance utterance,
-      GoalWords words,
-      WrittenWords written,
-      Consumer<ChatEvent> listener) {
+      Reading reading, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
     if (reading instanceof Reading.Goals several) {
       goals.state(several.formulas(), utterance, words, listener);
     } else if (reading instanceof Reading.Again) {
       again(utterance, words, listener);
     } else if (reading instanceof Reading.About about) {
-      tell(answers.of(about, utterance.person(), words), words, listener);
+      tell(answers(utterance).of(about, utterance.person(), words), words, listener);
     } else if (reading instanceof Reading.Able able) {
       listener.accept(
           new ChatEvent.Told("", spoken.able(utterance, around.present().get(), able.place())));
@@ -147,26 +115,18 @@ public final class HomeInterlocutor implements Interlocutor {
       listener.accept(new ChatEvent.Asked(back.text(), back.choices()));
     } else if (reading instanceof Reading.Counted counted) {
       answer(
-          counted.formula(),
+          questions.know(counted.formula(), reader(utterance)),
           known -> new ChatEvent.Told("", spoken.counted(known, counted.formula())),
-          utterance.asker(),
-          listener,
-          written);
+          words,
+          listener);
     } else if (reading instanceof Reading.Asked question) {
       answer(
-          question.formula(),
+          questions.know(question.formula(), reader(utterance)),
           known -> answered(question.formula(), known, words),
-          utterance.asker(),
-          listener,
-          written);
-    } else if (reading instanceof Reading.Goal goal) {
-      state(goal.formula(), utterance.asker(), listener, written);
-    } else if (reading instanceof Reading.Question question) {
-      ask(question.formula(), utterance.asker(), listener, written);
-    } else if (reading instanceof Reading.Unfinished part) {
-      listener.accept(questionBack(part, written));
-    } else if (reading instanceof Reading.Unclear unclear) {
-      listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
+          words,
+          listener);
+    } else {
+      written.respond(reading, utterance, listener);
     }
   }
 
@@ -194,7 +154,7 @@ public final class HomeInterlocutor implements Interlocutor {
   private void callOff(
       Reading.CalledOff off, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
     String person = utterance.person();
-    answers
+    answers(utterance)
         .goals()
         .thenAccept(
             all -> {
@@ -229,6 +189,7 @@ public final class HomeInterlocutor implements Interlocutor {
   private void again(Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
     List<String> last = stated.lastOf(utterance.person());
     questions
+        .of(reader(utterance))
         .goals()
         .thenAccept(
             document -> {
@@ -261,7 +222,7 @@ public final class HomeInterlocutor implements Interlocutor {
       Throwable failure, GoalWords words, Consumer<ChatEvent> listener) {
     listener.accept(
         new ChatEvent.Misunderstood(
-            words.report(String.valueOf(cause(failure).getMessage())), List.of()));
+            words.report(String.valueOf(WrittenTalk.cause(failure).getMessage())), List.of()));
     return null;
   }
 
@@ -293,116 +254,22 @@ public final class HomeInterlocutor implements Interlocutor {
         : reading;
   }
 
-  /** What answers the question that was asked last is read with what that was about. */
-  private synchronized Reading read(WrittenWords words, Utterance utterance) {
-    Reading alone = words.read(utterance);
-    Optional<Utterance> together =
-        unfinished
-            .filter(before -> alone instanceof Reading.Unclear)
-            .map(before -> joined(before, utterance))
-            .filter(both -> !(words.read(both) instanceof Reading.Unclear));
-    Utterance whole = together.orElse(utterance);
-    Reading reading = together.isPresent() ? words.read(whole) : alone;
-    unfinished = reading instanceof Reading.Unfinished ? Optional.of(whole) : Optional.empty();
-    return reading;
-  }
-
-  /** Here is where it was begun. */
-  private static Utterance joined(Utterance before, Utterance now) {
-    return new Utterance(
-        before.person(), before.room(), before.text() + " " + now.text(), now.asker());
-  }
-
-  private static ChatEvent questionBack(Reading.Unfinished part, WrittenWords words) {
-    List<String> choices = words.choices(part.wanted());
-    return new ChatEvent.Asked(
-        part.wanted().isEmpty()
-            ? "%s: at least how much? Say a number.".formatted(part.begin())
-            : "%s: which %s? Say its name.".formatted(part.begin(), asWords(part.wanted())),
-        choices.stream().limit(MOST_CHOICES).toList());
-  }
-
-  private static String asWords(String className) {
-    return className.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
-  }
-
-  private void state(
-      String goal, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
-    CompletableFuture<GoalReport> report = new CompletableFuture<>();
-    questions
-        .state(new AskedGoal(goal).person(asker), report::complete)
-        .thenAccept(
-            id -> {
-              listener.accept(new ChatEvent.Understood(id, goal));
-              follow(id, report, listener);
-            })
-        .exceptionally(
-            refusal -> {
-              listener.accept(misunderstood(goal, refusal, words));
-              return null;
-            });
-  }
-
-  private void follow(
-      String id, CompletableFuture<GoalReport> report, Consumer<ChatEvent> listener) {
-    stories.follow(
-        id,
-        entry -> {
-          if (entry.kind() == StoryEntry.Kind.END) {
-            report
-                .thenAccept(
-                    ended ->
-                        listener.accept(new ChatEvent.Ended(id, ended.reached(), entry.text())))
-                .exceptionally(failure -> null);
-          } else if (TOLD.contains(entry.kind())) {
-            listener.accept(new ChatEvent.Told(id, entry.text()));
-          }
-        });
-  }
-
-  /** All who look read what is answered here: of what is private only what the desk itself may. */
-  private void answer(
-      String question,
+  private static void answer(
+      CompletableFuture<JsonNode> known,
       Function<JsonNode, ChatEvent> event,
-      Optional<String> asker,
-      Consumer<ChatEvent> listener,
-      WrittenWords words) {
-    questions
-        .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(known -> listener.accept(event.apply(known)))
-        .exceptionally(
-            refusal -> {
-              listener.accept(misunderstood(question, refusal, words));
-              return null;
-            });
+      GoalWords words,
+      Consumer<ChatEvent> listener) {
+    known
+        .thenAccept(answers -> listener.accept(event.apply(answers)))
+        .exceptionally(failure -> refused(failure, words, listener));
   }
 
   /** All who look read what is answered here: of what is private only what the desk itself may. */
-  private void ask(
-      String question, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
-    questions
-        .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(known -> tell(known, listener))
-        .exceptionally(
-            refusal -> {
-              listener.accept(misunderstood(question, refusal, words));
-              return null;
-            });
+  private static Optional<String> reader(Utterance utterance) {
+    return utterance.asker().map(person -> AgentNames.DESK);
   }
 
-  private static void tell(JsonNode document, Consumer<ChatEvent> listener) {
-    AnswerSentences.of(document)
-        .forEach(sentence -> listener.accept(new ChatEvent.Told("", sentence)));
-  }
-
-  private static ChatEvent misunderstood(String said, Throwable refusal, WrittenWords words) {
-    return new ChatEvent.Misunderstood(
-        String.valueOf(cause(refusal).getMessage()), words.near(said));
-  }
-
-  private static Throwable cause(Throwable failure) {
-    return failure instanceof CompletionException && failure.getCause() != null
-        ? failure.getCause()
-        : failure;
+  private GoalAnswers answers(Utterance utterance) {
+    return new GoalAnswers(around, questions.of(reader(utterance)), stated);
   }
 }

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.console.questions.AclQuestions;
@@ -41,19 +42,13 @@ final class SpokenGoals {
   private final AclQuestions questions;
   private final GoalStories stories;
   private final StatedGoals stated;
-  private final GoalAnswers answers;
 
   SpokenGoals(
-      Surroundings around,
-      AclQuestions questions,
-      GoalStories stories,
-      StatedGoals stated,
-      GoalAnswers answers) {
+      Surroundings around, AclQuestions questions, GoalStories stories, StatedGoals stated) {
     this.around = around;
     this.questions = questions;
     this.stories = stories;
     this.stated = stated;
-    this.answers = answers;
   }
 
   /** All that one utterance states. */
@@ -71,6 +66,7 @@ final class SpokenGoals {
     private final long turn;
     private final GoalWords words;
     private final Consumer<ChatEvent> listener;
+    private final AclQuestions reading;
     private final AtomicBoolean isOver = new AtomicBoolean();
     private final CompletableFuture<GoalReport> report = new CompletableFuture<>();
     private final Set<String> toldSteps = new HashSet<>();
@@ -84,6 +80,8 @@ final class SpokenGoals {
       this.text = text;
       this.formula = KnownGoal.formula(text, around.home().get());
       this.utterance = utterance;
+      // All who look read what is told here: of what is private only what the desk itself may.
+      this.reading = questions.of(utterance.asker().map(person -> AgentNames.DESK));
       this.turn = turn;
       this.words = words;
       this.listener = listener;
@@ -136,11 +134,12 @@ final class SpokenGoals {
         case END -> report.thenAccept(ended -> end(id, ended)).exceptionally(failure -> null);
         case HELD -> tell(id, words.reached(formula, true));
         case STEP ->
-            questions
-                .plans(id)
-                .thenAccept(plans -> steps(id, plans))
-                .exceptionally(failure -> null);
-        case WAIT -> answers.goals().thenAccept(goals -> waits(id, goals)).exceptionally(f -> null);
+            reading.plans(id).thenAccept(plans -> steps(id, plans)).exceptionally(failure -> null);
+        case WAIT ->
+            new GoalAnswers(around, reading, stated)
+                .goals()
+                .thenAccept(goals -> waits(id, goals))
+                .exceptionally(f -> null);
         default -> {
           if (TOLD.contains(entry.kind())) {
             tell(id, words.report(spoken(entry.text())));
