@@ -9,7 +9,9 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Script;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
+import org.maestro.sl.SlSyntaxException;
 import org.maestro.sl.Term;
 
 /** What is to be done about a message that words mean: goals to state, or a question to put. */
@@ -21,11 +23,38 @@ final class MessageReading {
   /** The reading; empty when nothing can be done about it here. */
   static Optional<Reading> of(Content message, Home home) {
     return switch (message.operator()) {
-      case "query-if" -> formula(message).map(MessageReading::question);
-      case "query-ref" -> asked(message);
+      case "query-if" ->
+          formula(message)
+              .map(MessageReading::question)
+              .or(() -> about(message, "done", Reading.About.What.WHETHER_DONE));
+      case "explain" -> Optional.of(new Reading.About(Reading.About.What.WHY, goal(message)));
+      case "cancel" -> calledOff(message);
+      case "query-ref" -> asked(message, home);
       case "seq" -> goals(message, home);
-      default -> goal(message, home).map(goals -> new Reading.Goals(goals));
+      default ->
+          named(message, "last").isPresent()
+              ? Optional.of(new Reading.Again())
+              : goal(message, home).map(goals -> new Reading.Goals(goals));
     };
+  }
+
+  /** What was asked for last, or what is named; what was done is not undone. */
+  private static Optional<Reading> calledOff(Content message) {
+    return named(message, "undo").isPresent()
+        ? Optional.empty()
+        : Optional.of(new Reading.CalledOff(goal(message)));
+  }
+
+  /** The formula of a goal that is spoken of. */
+  private static Optional<Formula> goal(Content message) {
+    return named(message, "goal")
+        .flatMap(goal -> goal.arguments().stream().findFirst())
+        .filter(Content.Argument.OfFormula.class::isInstance)
+        .map(formula -> ((Content.Argument.OfFormula) formula).formula());
+  }
+
+  private static Optional<Reading> about(Content message, String name, Reading.About.What what) {
+    return named(message, name).map(one -> new Reading.About(what, Optional.empty()));
   }
 
   private static Reading question(Formula formula) {
@@ -47,15 +76,53 @@ final class MessageReading {
         .findFirst();
   }
 
-  private static Optional<Reading> asked(Content message) {
+  private static Optional<Reading> asked(Content message, Home home) {
+    Optional<Content.Argument.Named> able = named(message, "able");
+    if (able.isPresent()) {
+      return Optional.of(
+          new Reading.Able(able.get().arguments().stream().findFirst().map(MessageReading::term)));
+    }
+    Optional<Content.Argument.Named> history = named(message, "history");
+    if (history.isPresent()) {
+      return Optional.of(new Reading.About(Reading.About.What.WHO, past(history.get(), home)));
+    }
+    return about(message, "doing", Reading.About.What.DOING)
+        .or(() -> about(message, "done", Reading.About.What.DONE))
+        .or(() -> about(message, "planned", Reading.About.What.PLANNED))
+        .or(() -> about(message, "asked", Reading.About.What.ASKED))
+        .or(() -> about(message, "lasts", Reading.About.What.LASTS))
+        .or(() -> known(message));
+  }
+
+  private static Term term(Content.Argument argument) {
+    return argument instanceof Content.Argument.OfTerm of
+        ? of.term()
+        : new Term.Text(SlPrinter.print(argument));
+  }
+
+  /** What has become so, as it stands in a text. */
+  private static Optional<Formula> past(Content.Argument.Named history, Home home) {
+    return history.arguments().stream()
+        .findFirst()
+        .map(MessageReading::term)
+        .filter(Term.Text.class::isInstance)
+        .flatMap(text -> read(((Term.Text) text).value(), home));
+  }
+
+  private static Optional<Formula> read(String text, Home home) {
+    try {
+      return Optional.of(SlParser.formula(text, home.vocabulary()::isFluent));
+    } catch (SlSyntaxException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static Optional<Reading> known(Content message) {
     Optional<Content.Argument.Named> value = named(message, "value");
     if (value.isPresent()) {
       return value.get().arguments().stream()
           .findFirst()
           .map(fluent -> new Reading.Asked("(= %s ?value)".formatted(SlPrinter.print(fluent))));
-    }
-    if (named(message, "history").isPresent()) {
-      return Optional.empty();
     }
     Optional<String> formula = formula(message).map(SlPrinter::print);
     return named(message, "count").isPresent()

@@ -1,6 +1,9 @@
 package org.maestro.dialogue;
 
 import java.util.List;
+import java.util.Optional;
+import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
 
 /** What an utterance was read as. */
 public sealed interface Reading {
@@ -20,6 +23,45 @@ public sealed interface Reading {
 
   /** For how many things this is so. */
   record Counted(String formula) implements Reading {}
+
+  /**
+   * Something that is asked about what is being done.
+   *
+   * @param formula what it is about; empty: what was asked for last
+   */
+  record About(What what, Optional<Formula> formula) implements Reading {
+    /** What is asked. */
+    public enum What {
+      DOING,
+      DONE,
+      PLANNED,
+      ASKED,
+      WHETHER_DONE,
+      LASTS,
+      WHO,
+      WHY
+    }
+  }
+
+  /**
+   * What can be done.
+   *
+   * @param place where; empty: anywhere
+   */
+  record Able(Optional<Term> place) implements Reading {}
+
+  /**
+   * Something is not to be done any more.
+   *
+   * @param formula what; empty: what was asked for last
+   */
+  record CalledOff(Optional<Formula> formula) implements Reading {}
+
+  /** What was asked for last is to be done again. */
+  record Again() implements Reading {}
+
+  /** A yes, or a no. */
+  record Agreed(boolean yes, String reply) implements Reading {}
 
   /** Something to say, and nothing to do. */
   record Said(String text) implements Reading {}

@@ -3,6 +3,7 @@ package org.maestro.dialogue;
 import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,9 +12,12 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
+import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
+import org.maestro.language.wording.AbilityWords;
 import org.maestro.language.wording.AnswerWords;
+import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.sl.Content;
@@ -64,17 +68,22 @@ public final class SpokenWords {
    * @param reading what is meant, or what is to be asked back; empty when it is not understood
    * @param message that it means, in MAESTRO-SL
    * @param reply what is to be said when nobody else understands it
+   * @param answering whether something was asked back before
    */
   public record Hearing(
-      Optional<Reading> reading, Optional<Content> message, Optional<String> reply) {
+      Optional<Reading> reading,
+      Optional<Content> message,
+      Optional<String> reply,
+      boolean answering) {
     /** Nothing was heard. */
     public static final Hearing NONE =
-        new Hearing(Optional.empty(), Optional.empty(), Optional.empty());
+        new Hearing(Optional.empty(), Optional.empty(), Optional.empty(), false);
   }
 
   /** What is meant. */
   public synchronized Hearing read(Utterance utterance) {
     Home there = home.get();
+    boolean isAsked = discourse.asked().isPresent();
     latest = Optional.of(utterance);
     // Who does not say where she is has gone nowhere.
     room = Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
@@ -87,11 +96,12 @@ public final class SpokenWords {
         (isRefused ? understood.wish() : understood.message())
             .flatMap(message -> MessageReading.of(message, there))
             .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
-            .or(() -> social(understood));
+            .or(() -> social(understood))
+            .or(() -> agreed(understood));
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
-    return new Hearing(reading, understood.message(), understood.reply());
+    return new Hearing(reading, understood.message(), understood.reply(), isAsked);
   }
 
   /**
@@ -103,11 +113,40 @@ public final class SpokenWords {
     Home there = home.get();
     try {
       Formula formula = SlParser.formula(goal, there.vocabulary()::isFluent);
-      return language(there).refusal(formula, situation(there, utterance));
+      return language(there, Optional.of(utterance)).refusal(formula, situation(there, utterance));
     } catch (SlSyntaxException e) {
       // Who takes it on tells what is wrong with it.
       return Optional.empty();
     }
+  }
+
+  /** A yes or no that answers nothing of which the language knows. */
+  private static Optional<Reading> agreed(Understanding understood) {
+    return understood.meanings().stream()
+        .findFirst()
+        .map(Meaning::form)
+        .filter(form -> form.is("no") || form.is("yes") && form.parts().isEmpty())
+        .map(form -> new Reading.Agreed(form.is("yes"), understood.reply().orElse("")));
+  }
+
+  /** The words in which she is told of goals who says that. */
+  public synchronized GoalWords goals(Utterance utterance) {
+    Home there = home.get();
+    return new GoalWords(
+        there, language(there, Optional.of(utterance)).grammar(), Optional.of(utterance.person()));
+  }
+
+  /**
+   * What can be done.
+   *
+   * @param present the members that can be used
+   */
+  public synchronized String able(
+      Utterance utterance, Collection<String> present, Optional<Term> place) {
+    Home there = home.get();
+    return new AbilityWords(
+            situation(there, utterance), language(there, Optional.of(utterance)).grammar())
+        .of(present, place);
   }
 
   /** A greeting is answered, and nothing else comes of it. */
@@ -161,13 +200,16 @@ public final class SpokenWords {
     return new AnswerWords(there, language(there).grammar());
   }
 
+  private Language language(Home there) {
+    return language(there, latest);
+  }
+
   /** A home that changes is another one: what is in it need not be compared. */
   @SuppressWarnings("ReferenceEquality")
-  private Language language(Home there) {
+  private Language language(Home there, Optional<Utterance> said) {
     String tag =
-        latest
-            .flatMap(Utterance::language)
-            .orElseGet(() -> Language.spoken(there, latest.map(Utterance::person)));
+        said.flatMap(Utterance::language)
+            .orElseGet(() -> Language.spoken(there, said.map(Utterance::person)));
     Spoken known =
         spoken
             .filter(one -> one.home() == there && one.tag().equals(tag))

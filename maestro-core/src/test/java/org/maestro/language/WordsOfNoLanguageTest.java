@@ -137,6 +137,8 @@ class WordsOfNoLanguageTest {
           "turning",
           "owning",
           "plural",
+          "ing",
+          "vowel",
           "noun-forms",
           "plural-forms",
           "adjective-forms",
@@ -153,6 +155,8 @@ class WordsOfNoLanguageTest {
           "half",
           "tohalf",
           "timepm",
+          // The end of a phrase's name.
+          "many",
           // Patterns of letters.
           "A-Z",
           "A-Za-z",

@@ -135,9 +135,31 @@ public final class Sayings {
       agent.reply(said.message(), ACLMessage.INFORM, SayWords.asked(back.text()));
     } else if (reading instanceof Reading.Said reply) {
       agent.reply(said.message(), ACLMessage.INFORM, SayWords.replied(means, reply.text()));
+    } else if (isNothingToDo(reading, heard)) {
+      agent.reply(
+          said.message(),
+          ACLMessage.INFORM,
+          SayWords.replied(means, spoken.goals(said.utterance()).phrase("no")));
+    } else if (reading instanceof Reading.Agreed) {
+      agent.refuse(said.message(), ACLMessage.REFUSE, notUnderstood(heard));
     } else if (reading instanceof Reading.Unclear unclear) {
       agent.refuse(said.message(), ACLMessage.REFUSE, unclear.why());
+    } else {
+      agent.refuse(said.message(), ACLMessage.REFUSE, ofTheConsole(means));
     }
+  }
+
+  /** A no, or that what was asked back is left so. */
+  private static boolean isNothingToDo(Reading reading, SpokenWords.Hearing heard) {
+    return reading instanceof Reading.Agreed agreed && !agreed.yes()
+        || reading instanceof Reading.CalledOff off && off.formula().isEmpty() && heard.answering();
+  }
+
+  /** What is asked about goals, called off or tried again needs who has followed them. */
+  private static String ofTheConsole(String means) {
+    return ("That means %s; what is asked about goals, called off or tried again is answered in the"
+            + " chat of the console and by ./maestro say alone.")
+        .formatted(means);
   }
 
   /** Where she may not have a part done, nothing of the whole is begun. */

@@ -98,7 +98,7 @@ public final class Interpreter {
   /** What says nothing by itself: an answer, a greeting. */
   private static boolean isBare(Form form) {
     return switch (form.head()) {
-      case "answer", "also", "greet", "thank", "no", "howlong", "doing", "able", "done" -> true;
+      case "answer", "also", "greet", "thank", "no" -> true;
       case "yes" -> form.parts().isEmpty() || form.part(0).is("np") || form.part(0).is("span");
       default -> false;
     };
@@ -106,7 +106,7 @@ public final class Interpreter {
 
   private static String kind(Form form) {
     return switch (form.head()) {
-      case "do", "wish", "instead", "refrain" -> "command";
+      case "do", "wish", "instead", "refrain", "again" -> "command";
       case "whenever", "timed" -> "rule";
       case "tell" -> "statement";
       case "answer", "also", "yes", "no" -> "answer";

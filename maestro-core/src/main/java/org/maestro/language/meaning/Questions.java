@@ -52,10 +52,7 @@ final class Questions {
       case "value" -> value(act.part(0));
       case "did" -> history(act.part(0));
       case "why" -> why(act);
-      default -> {
-        references.die();
-        yield Optional.empty();
-      }
+      default -> new Doings(situation, references).message(act);
     };
   }
 

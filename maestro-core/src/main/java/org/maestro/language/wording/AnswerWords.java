@@ -1,5 +1,6 @@
 package org.maestro.language.wording;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -7,22 +8,24 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
-import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Truth;
 
 /** What is known of a question, in a sentence that names things as people do. Immutable. */
 public final class AnswerWords {
   private static final int MOST = 8;
   private static final double LONG_AGO_SECONDS = 60;
-  private static final double HOUR_SECONDS = 3600;
-  private static final double HUNDRED = 100;
+  private static final double MILLIS = 1000;
 
   private final Grammar grammar;
   private final Naming naming;
+  private final Phrases phrases;
+  private final SpanWords spans;
 
   public AnswerWords(Home home, Grammar grammar) {
     this.grammar = grammar;
     this.naming = new Naming(home, grammar);
+    this.phrases = new Phrases(grammar);
+    this.spans = new SpanWords(grammar);
   }
 
   /**
@@ -57,11 +60,15 @@ public final class AnswerWords {
     if (!certain.isEmpty()) {
       return grammar.phrase("answer-yes") + ago(certain);
     }
-    boolean isUnknown =
-        answers.isEmpty() || answers.stream().anyMatch(one -> one.truth() == Truth.UNKNOWN);
-    return isUnknown
+    return isUnknown(answers)
         ? grammar.phrase("answer-unknown")
         : grammar.phrase("answer-no") + ago(answers);
+  }
+
+  /** Whether nobody knows an answer. */
+  public static boolean isUnknown(List<Found> answers) {
+    return answers.stream().noneMatch(one -> one.truth() == Truth.TRUE)
+        && (answers.isEmpty() || answers.stream().anyMatch(one -> one.truth() == Truth.UNKNOWN));
   }
 
   /**
@@ -73,23 +80,15 @@ public final class AnswerWords {
     long certain = answers.stream().filter(one -> one.truth() == Truth.TRUE).count();
     return grammar
         .phrase(whole ? "answer-count" : "answer-count-known")
-        .replace("{number}", Phrases.capitalized(number(certain)));
+        .replace("{number}", Phrases.capitalized(phrases.number((double) certain)));
   }
 
   private String sentence(List<String> values, int more) {
     List<String> all = new ArrayList<>(values);
     if (more > 0) {
-      all.add(grammar.phrase("answer-more").replace("{number}", number(more)));
+      all.add(phrases.of("answer-more", Map.of("number", phrases.number(more))));
     }
-    int last = all.size() - 1;
-    return Phrases.capitalized(
-            last == 0
-                ? all.get(0)
-                : grammar
-                    .phrase("answer-list")
-                    .replace("{first}", String.join(", ", all.subList(0, last)))
-                    .replace("{last}", all.get(last)))
-        + ".";
+    return Phrases.capitalized(phrases.listed(all)) + ".";
   }
 
   private String values(Found answer) {
@@ -98,8 +97,7 @@ public final class AnswerWords {
 
   private String value(String text) {
     try {
-      return SlPrinter.print(Math.round(Double.parseDouble(text) * HUNDRED) / HUNDRED)
-          .replace(".", grammar.phrase("decimal-mark"));
+      return phrases.digits(Double.parseDouble(text));
     } catch (NumberFormatException e) {
       return naming.word(text);
     }
@@ -107,26 +105,11 @@ public final class AnswerWords {
 
   private String ago(List<Found> answers) {
     double oldest = answers.stream().mapToDouble(one -> one.ageSeconds().orElse(0)).max().orElse(0);
-    if (oldest < LONG_AGO_SECONDS) {
-      return "";
-    }
-    boolean isHours = oldest >= HOUR_SECONDS;
-    long number = Math.round(oldest / (isHours ? HOUR_SECONDS : LONG_AGO_SECONDS));
-    return " "
-        + grammar
-            .phrase(
-                isHours
-                    ? number == 1 ? "hour-ago" : "hours-ago"
-                    : number == 1 ? "minute-ago" : "minutes-ago")
-            .replace("{number}", number(number));
-  }
-
-  /** A small number in words. */
-  private String number(long number) {
-    return grammar.numbers().entrySet().stream()
-        .filter(word -> word.getValue() == number)
-        .map(Map.Entry::getKey)
-        .findFirst()
-        .orElse(String.valueOf(number));
+    return oldest < LONG_AGO_SECONDS
+        ? ""
+        : " "
+            + phrases.of(
+                "that-was",
+                Map.of("ago", spans.ago(Duration.ofMillis(Math.round(oldest * MILLIS)))));
   }
 }

@@ -10,8 +10,9 @@ import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation;
 import org.maestro.console.chat.Chat;
 import org.maestro.console.chat.GoalStories;
+import org.maestro.console.chat.HomeInterlocutor;
 import org.maestro.console.chat.Moods;
-import org.maestro.console.chat.WrittenInterlocutor;
+import org.maestro.console.chat.Surroundings;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.platform.MaestroPlatform;
 
@@ -38,12 +39,17 @@ final class Talk implements AutoCloseable {
     this.chat =
         new Chat(
             platform.knowledge()::home,
-            person ->
-                new WrittenInterlocutor(
+            HomeInterlocutor.of(
+                new Surroundings(
                     platform.knowledge()::home,
-                    platform.dialogues().with(person),
-                    questions,
-                    stories),
+                    platform.knowledge()::snapshot,
+                    platform::instant,
+                    platform::now,
+                    platform::presentMembers,
+                    readership),
+                questions,
+                stories,
+                platform.dialogues()::with),
             questions::answer,
             platform.dialogues(),
             InstantSource.system());

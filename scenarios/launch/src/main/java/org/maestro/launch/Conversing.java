@@ -95,7 +95,8 @@ final class Conversing {
       case "understood" -> {
         pursued.add(goal);
         answered = true;
-        lines.accept(goal + ": " + text);
+        // What is stated in MAESTRO-SL is asked about by its id, what is said by saying so.
+        lines.accept(text.startsWith("(") ? goal + ": " + text : text);
       }
       case "reached", "ended" -> {
         if (pursued.remove(goal) && entry.path("kind").asText().equals("ended")) {

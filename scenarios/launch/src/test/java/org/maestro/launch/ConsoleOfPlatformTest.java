@@ -67,8 +67,13 @@ class ConsoleOfPlatformTest {
       await(platform, SERVED);
 
       assertThat(command("say", "turn on all the lamps in room A", "--as", "Bob", "--in", "room-a"))
-          .contains("(and (= (level lamp-a1) 1) (= (level lamp-a2) 1))")
-          .contains("Reached");
+          .contains("I will turn on lamp A1 and lamp A2.")
+          .contains("Lamp A1 and lamp A2 are on.")
+          .doesNotContain("lamp-a1", "G1");
+      assertThat(command("say", "why did you do that?", "--as", "Bob", "--in", "room-a"))
+          .startsWith("You asked me to turn on lamp A1 and lamp A2, ");
+      assertThat(command("say", "never mind", "--as", "Bob", "--in", "room-a"))
+          .isEqualTo("There is nothing to call off.");
       assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a"))
           .isEqualTo("Room B.");
     }

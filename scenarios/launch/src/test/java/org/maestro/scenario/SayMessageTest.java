@@ -7,6 +7,7 @@ import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -97,6 +98,26 @@ class SayMessageTest {
     assertThat(answer.getPerformative()).isEqualTo(ACLMessage.INFORM);
     assertThat(answer.getContent())
         .isEqualTo("(inform (:means \"(query-if (switchedOn stereo))\") (:reply \"Yes.\"))");
+  }
+
+  @Test
+  void whatIsAskedAboutGoalsIsForTheConsole() throws Exception {
+    for (String said :
+        List.of("what are you doing?", "try again", "stop", "why?", "what can you do here?")) {
+      assertRefused(
+          "(say \"%s\" (:by Dave) (:in bedroom))".formatted(said), "in the chat of the console");
+    }
+    assertRefused("(say \"yes\" (:by Dave) (:in bedroom))", "I did not understand");
+  }
+
+  @Test
+  void whatIsAskedBackMayBeLeftSo() throws Exception {
+    assertThat(answer("(say \"turn on the lamp\" (:by Grandma) (:in livingroom))").getContent())
+        .contains("(:asks ");
+    ACLMessage dropped = answer("(say \"never mind\" (:by Grandma))");
+    assertThat(dropped.getPerformative()).isEqualTo(ACLMessage.INFORM);
+    assertThat(dropped.getContent())
+        .isEqualTo("(inform (:means \"(cancel (:question))\") (:reply \"All right.\"))");
   }
 
   @Test

@@ -13,6 +13,8 @@ import org.maestro.ontology.home.ReadingRights;
  * by the desk. Any thread.
  */
 public final class Readership {
+  private static final String OVER = "It is over; its story is private.";
+
   private final Readers readers;
   private final boolean isSecured;
 
@@ -42,10 +44,13 @@ public final class Readership {
       return Optional.of(entry);
     }
     return entry.kind() == StoryEntry.Kind.END
-        ? Optional.of(
-            new StoryEntry(
-                entry.goalId(), entry.at(), entry.kind(), "It is over; its story is private."))
+        ? Optional.of(new StoryEntry(entry.goalId(), entry.at(), entry.kind(), OVER))
         : Optional.empty();
+  }
+
+  /** Whether that is told instead of the end of a story that is private. */
+  public static boolean isInstead(StoryEntry told) {
+    return told.text().equals(OVER);
   }
 
   /** The name by which agents are asked for her; empty on an open site. */

@@ -12,7 +12,7 @@ public sealed interface ChatEvent {
    * It is a goal, which was taken on.
    *
    * @param goal its id
-   * @param text the goal in MAESTRO-SL
+   * @param text the goal, in MAESTRO-SL where it was written so
    */
   record Understood(String goal, String text) implements ChatEvent {}
 

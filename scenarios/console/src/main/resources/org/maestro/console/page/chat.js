@@ -60,7 +60,7 @@ function line(entry) {
     make("p", {},
       make("span", { class: `state ${tone}`, "data-sign": sign }, entry.question === null ? WORDS[entry.kind] : "Asks"), " ",
       entry.goal ? [goalButton(entry.goal), " "] : "",
-      entry.kind === "understood" ? make("code", {}, entry.text) : make("span", {}, entry.text)),
+      entry.kind === "understood" && entry.text.startsWith("(") ? make("code", {}, entry.text) : make("span", {}, entry.text)),
     entry.near.length > 0
       ? make("p", { class: "near" }, make("span", { class: "quiet" }, entry.kind === "asked" ? "One of:" : "Near it:"), " ", entry.near.map(offer))
       : null);

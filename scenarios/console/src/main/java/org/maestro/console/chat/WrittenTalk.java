@@ -9,8 +9,6 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
-import java.util.function.Function;
-import java.util.function.Supplier;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.GoalReport;
@@ -19,14 +17,12 @@ import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Reading;
 import org.maestro.dialogue.SpokenWords;
 import org.maestro.dialogue.Utterance;
-import org.maestro.ontology.home.Home;
 
 /**
- * An interlocutor who understands what people say in their language, and reads goals and questions
- * as they are written, too; states the goals, and tells how they fare in the sentences of their
- * stories.
+ * What is written in MAESTRO-SL or in the names of the home: it is answered with what stands in
+ * stories and documents. Any thread may use it.
  */
-public final class WrittenInterlocutor implements Interlocutor {
+final class WrittenTalk {
   private static final int MOST_CHOICES = 12;
   private static final Set<StoryEntry.Kind> TOLD =
       EnumSet.of(
@@ -42,81 +38,38 @@ public final class WrittenInterlocutor implements Interlocutor {
           StoryEntry.Kind.LOST,
           StoryEntry.Kind.RESTART);
 
-  private final Supplier<Home> home;
+  private final Surroundings around;
+  private final SpokenWords spoken;
   private final AclQuestions questions;
   private final GoalStories stories;
-  private final SpokenWords spoken;
+  private final StatedGoals stated;
 
   /** What was said, and where, of a goal that lacks its last part; guarded by this. */
   private Optional<Utterance> unfinished = Optional.empty();
 
   /**
-   * @param home as it is known at the time
    * @param spoken the conversation with the person who is answered
    */
-  public WrittenInterlocutor(
-      Supplier<Home> home, SpokenWords spoken, AclQuestions questions, GoalStories stories) {
-    this.home = home;
+  WrittenTalk(
+      Surroundings around,
+      SpokenWords spoken,
+      AclQuestions questions,
+      GoalStories stories,
+      StatedGoals stated) {
+    this.around = around;
     this.spoken = spoken;
     this.questions = questions;
     this.stories = stories;
+    this.stated = stated;
   }
 
-  @Override
-  public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
-    WrittenWords words = new WrittenWords(home.get());
-    SpokenWords.Hearing heard = inWords(utterance);
-    Reading reading =
-        heard.reading().orElseGet(() -> withReply(read(words, utterance), heard.reply()));
-    if (reading instanceof Reading.Goals goals) {
-      permitted(goals.formulas(), utterance)
-          .forEach(goal -> state(goal, utterance, listener, words));
-    } else if (reading instanceof Reading.Said said) {
-      listener.accept(new ChatEvent.Told("", said.text()));
-    } else if (reading instanceof Reading.Back back) {
-      listener.accept(new ChatEvent.Asked(back.text(), back.choices()));
-    } else if (reading instanceof Reading.Counted counted) {
-      answer(
-          counted.formula(),
-          answers -> spoken.counted(FoundAnswers.of(answers), counted.formula()),
-          utterance.asker(),
-          listener,
-          words);
-    } else if (reading instanceof Reading.Asked asked) {
-      answer(
-          asked.formula(),
-          answers -> spoken.answer(FoundAnswers.of(answers)),
-          utterance.asker(),
-          listener,
-          words);
-    } else if (reading instanceof Reading.Goal goal) {
-      state(goal.formula(), utterance, listener, words);
-    } else if (reading instanceof Reading.Question question) {
-      ask(question.formula(), utterance.asker(), listener, words);
-    } else if (reading instanceof Reading.Unfinished part) {
-      listener.accept(questionBack(part, words));
-    } else if (reading instanceof Reading.Unclear unclear) {
-      listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
-    }
-  }
-
-  /** What is not written in MAESTRO-SL may be said as people speak. */
-  private SpokenWords.Hearing inWords(Utterance utterance) {
-    String text = utterance.text().strip();
-    return text.startsWith("(") || text.startsWith("?")
-        ? SpokenWords.Hearing.NONE
-        : spoken.read(utterance);
-  }
-
-  /** What nobody understands is told as those tell it who know more words. */
-  private static Reading withReply(Reading reading, Optional<String> reply) {
-    return reading instanceof Reading.Unclear unclear && reply.isPresent()
-        ? new Reading.Unclear(reply.get(), unclear.near())
-        : reading;
+  private WrittenWords words() {
+    return new WrittenWords(around.home().get());
   }
 
   /** What answers the question that was asked last is read with what that was about. */
-  private synchronized Reading read(WrittenWords words, Utterance utterance) {
+  synchronized Reading read(Utterance utterance) {
+    WrittenWords words = words();
     Reading alone = words.read(utterance);
     Optional<Utterance> together =
         unfinished
@@ -152,16 +105,25 @@ public final class WrittenInterlocutor implements Interlocutor {
     return className.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
   }
 
-  /** Where she may not have a part done, nothing of the whole is begun. */
-  private List<String> permitted(List<String> goals, Utterance utterance) {
-    List<String> refused =
-        goals.stream().filter(goal -> spoken.refusal(goal, utterance).isPresent()).toList();
-    return refused.isEmpty() ? goals : refused;
+  /** Does what it was read as. */
+  void respond(Reading reading, Utterance utterance, Consumer<ChatEvent> listener) {
+    WrittenWords words = words();
+    if (reading instanceof Reading.Goal goal) {
+      state(goal.formula(), utterance, listener, words);
+    } else if (reading instanceof Reading.Question question) {
+      ask(question.formula(), utterance.asker(), listener, words);
+    } else if (reading instanceof Reading.Unfinished part) {
+      listener.accept(questionBack(part, words));
+    } else if (reading instanceof Reading.Unclear unclear) {
+      listener.accept(new ChatEvent.Misunderstood(unclear.why(), unclear.near()));
+    }
   }
 
   /** The central agent refuses what may not be; she is told why in her own language. */
   private void state(
       String goal, Utterance utterance, Consumer<ChatEvent> listener, WrittenWords words) {
+    StatedGoals.Stated how =
+        new StatedGoals.Stated(utterance.person(), utterance.text(), stated.turn());
     CompletableFuture<GoalReport> report = new CompletableFuture<>();
     Optional<String> refusal = spoken.refusal(goal, utterance);
     questions
@@ -170,6 +132,7 @@ public final class WrittenInterlocutor implements Interlocutor {
             report::complete)
         .thenAccept(
             id -> {
+              stated.stated(id, how);
               listener.accept(new ChatEvent.Understood(id, goal));
               follow(id, report, refusal, listener);
             })
@@ -205,28 +168,11 @@ public final class WrittenInterlocutor implements Interlocutor {
   }
 
   /** All who look read what is answered here: of what is private only what the desk itself may. */
-  private void answer(
-      String question,
-      Function<JsonNode, String> sentence,
-      Optional<String> asker,
-      Consumer<ChatEvent> listener,
-      WrittenWords words) {
-    questions
-        .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(answers -> listener.accept(new ChatEvent.Told("", sentence.apply(answers))))
-        .exceptionally(
-            refusal -> {
-              listener.accept(misunderstood(question, refusal, words));
-              return null;
-            });
-  }
-
-  /** All who look read what is answered here: of what is private only what the desk itself may. */
   private void ask(
       String question, Optional<String> asker, Consumer<ChatEvent> listener, WrittenWords words) {
     questions
         .know(question, asker.map(person -> AgentNames.DESK))
-        .thenAccept(answers -> tell(answers, listener))
+        .thenAccept(known -> tell(known, listener))
         .exceptionally(
             refusal -> {
               listener.accept(misunderstood(question, refusal, words));
@@ -240,10 +186,13 @@ public final class WrittenInterlocutor implements Interlocutor {
   }
 
   private static ChatEvent misunderstood(String said, Throwable refusal, WrittenWords words) {
-    Throwable cause =
-        refusal instanceof CompletionException && refusal.getCause() != null
-            ? refusal.getCause()
-            : refusal;
-    return new ChatEvent.Misunderstood(String.valueOf(cause.getMessage()), words.near(said));
+    return new ChatEvent.Misunderstood(
+        String.valueOf(cause(refusal).getMessage()), words.near(said));
+  }
+
+  static Throwable cause(Throwable failure) {
+    return failure instanceof CompletionException && failure.getCause() != null
+        ? failure.getCause()
+        : failure;
   }
 }
