@@ -35,12 +35,18 @@ class TalkOfGoalsTest {
 
   /** Says it, and waits until that is told. */
   private static List<String> says(ServedHome home, String text, String awaited) throws Exception {
+    return says(home, text, "en", awaited);
+  }
+
+  private static List<String> says(ServedHome home, String text, String language, String awaited)
+      throws Exception {
     JsonNode body =
         JsonNodeFactory.instance
             .objectNode()
             .put("person", "Bob")
             .put("room", "room-a")
-            .put("text", text);
+            .put("text", text)
+            .put("language", language);
     long number = home.post("/chat", body.toString()).document().path("number").asLong();
     Awaitility.await(text)
         .atMost(LIMIT)
@@ -108,6 +114,22 @@ class TalkOfGoalsTest {
       assertThat(failed).last().asString().doesNotContain("zone-a");
       says(home, "why?", "I could not");
       says(home, "try again", "I could not");
+    }
+  }
+
+  @Test
+  void whatIsSaidInAnotherLanguageIsAnsweredInIt() throws Exception {
+    try (ServedHome home = ServedHome.start()) {
+      assertThat(says(home, "mach Lampe A1 an", "de", "Lampe A1 ist an."))
+          .contains("Ich werde Lampe A1 anmachen.");
+      says(home, "ist es fertig?", "de", "Ja, das ist getan.");
+      says(home, "warum ist Lampe A1 an?", "de", "Du batest mich: Lampe A1 anmachen; ");
+      says(home, "why?", "You asked me to turn on lamp A1, ");
+      says(home, "wo ist die Tasse?", "de", "Das weiß ich nicht. Soll ich nachsehen?");
+      says(home, "nein", "de", "In Ordnung.");
+      says(home, "in zwei Stunden mach Lampe A2 an", "de", "Ich werde Lampe A2 anmachen in");
+      says(home, "stopp", "de", "Ich bin nicht mehr dabei: Lampe A2 anmachen in zwei Stunden.");
+      says(home, "was kannst du hier?", "de", "Ich kann ");
     }
   }
 }
