@@ -79,6 +79,8 @@ final class References {
                       all.conditions().isEmpty()
                           ? body
                           : new Formula.Imply(conjunction(all.conditions()), body)));
+    } else if (reference instanceof Reference.Any any && wished && phrases.isPlaced(any)) {
+      return placed(any, said);
     } else if (reference instanceof Reference.Any any) {
       return said.apply(new Term.Variable(any.variable().name()))
           .map(
@@ -94,6 +96,24 @@ final class References {
     return reference instanceof Reference.Open open
         ? unlessSoAlready(open, said)
         : broken(reference);
+  }
+
+  /** What is to be moved is one of those that are there now; when nobody knows any, any will do. */
+  private Optional<Formula> placed(Reference.Any any, Function<Term, Optional<Formula>> said) {
+    List<Reference> there =
+        phrases.those(any).stream().<Reference>map(Reference.Single::new).toList();
+    if (there.isEmpty()) {
+      return over(phrases.anywhere(any), said);
+    }
+    List<Formula> options = new ArrayList<>();
+    for (Reference one : there) {
+      Optional<Formula> option = over(one, said);
+      if (option.isEmpty()) {
+        return option;
+      }
+      options.add(option.get());
+    }
+    return Optional.of(options.size() == 1 ? options.get(0) : new Formula.Or(options));
   }
 
   /** Of several things that are to be so those that can. */

@@ -417,6 +417,30 @@ public final class NounPhrases {
         .toList();
   }
 
+  /** Whether it is said where any of them is, which changes when it is moved. */
+  public boolean isPlaced(Reference.Any any) {
+    return any.conditions().stream().anyMatch(relations::isOfPlaces);
+  }
+
+  /** The things of which it is known that they are so. */
+  public List<Term.Name> those(Reference.Any any) {
+    return situation.facts().individuals(any.variable().className().orElse("")).stream()
+        .filter(
+            name ->
+                any.conditions().stream()
+                    .allMatch(
+                        condition ->
+                            relations.holds(condition, Map.of(any.variable().name(), name))))
+        .toList();
+  }
+
+  /** The same, wherever they are. */
+  public Reference.Any anywhere(Reference.Any any) {
+    return new Reference.Any(
+        any.variable(),
+        any.conditions().stream().filter(condition -> !relations.isOfPlaces(condition)).toList());
+  }
+
   boolean isSo(Description description, Term.Name candidate) {
     return candidates.isSo(description, candidate);
   }
@@ -506,7 +530,10 @@ public final class NounPhrases {
       return new Reference.None(phrase);
     }
     List<Term.Name> chosen = candidates;
-    if (!description.placed()) {
+    // Who says "every room" does not mean the one in which that is said.
+    boolean arePlaces =
+        situation.here().map(Term.Name::new).filter(candidates::contains).isPresent();
+    if (!description.placed() && !arePlaces) {
       List<Term.Name> here = surroundings.here(candidates);
       boolean isBoundToRooms = candidates.stream().anyMatch(this::isSomewhere);
       if (!here.isEmpty()) {
