@@ -73,7 +73,7 @@ final class Grasp {
   }
 
   private boolean isAtHand(Body thing) {
-    return thing.isObstacle()
+    return thing.isInTheOpen()
         && actuator.world().position(thing.name()).orElseThrow().floor().distance(hand.floor())
             <= data.graspTolerance();
   }

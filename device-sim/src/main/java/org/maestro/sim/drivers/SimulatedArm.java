@@ -17,6 +17,9 @@ public final class SimulatedArm implements GripperArm {
   /** The base stands where it was sent; the arm evens out so much of distance. */
   public static final double SLACK_METRES = 0.06;
 
+  /** How high an arm reaches of which nobody says it, on a base as low as a youBot's; assumed. */
+  private static final double USUAL_HEIGHT_METRES = 0.6;
+
   private final Actuator actuator;
   private final ArmData data;
   private final Grasp grasp;
@@ -51,7 +54,7 @@ public final class SimulatedArm implements GripperArm {
           if (robot().floor().distance(there.floor()) > data.reach() + SLACK_METRES) {
             return Optional.of("it is out of reach");
           }
-          if (place.z() > height.orElse(Double.POSITIVE_INFINITY)) {
+          if (place.z() > height.orElse(USUAL_HEIGHT_METRES)) {
             return Optional.of("it is higher than the arm reaches");
           }
           grasp.moveTo(there);

@@ -72,6 +72,17 @@ class SpokenEveningTest {
     assertThat(stage.knowledge()).knows("(playing tv TheCureFilm)");
   }
 
+  /** A83: there are two cups on the counter, and one of them is red. */
+  @Test
+  void theRedCupIsBrought(Stage stage) {
+    stage
+        .speaker("Dave")
+        .in("livingroom")
+        .says("bring me the red cup")
+        .means("(initCNP (:goal (nextTo cup-red Dave)))")
+        .isReached();
+  }
+
   /** Of A84, what the children are told. */
   @Test
   void theChildrenAreToldThatItIsTimeForDinner(Stage stage) {
