@@ -22,6 +22,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -168,9 +169,21 @@ public final class SpokenWords {
     return language(there).next(begun.text(), situation(there, begun), most);
   }
 
-  /** What is known of a question that was understood, as people say it. */
-  public synchronized String answer(List<AnswerWords.Found> answers) {
-    return answers().of(answers);
+  /**
+   * What is known of a question that was understood, as people say it.
+   *
+   * @param asked the formula
+   */
+  public synchronized String answer(List<AnswerWords.Found> answers, String asked) {
+    return answers().of(answers, fluent(asked));
+  }
+
+  private Optional<String> fluent(String asked) {
+    return SlParser.formula(asked, home.get().vocabulary()::isFluent)
+                instanceof Formula.Comparison comparison
+            && comparison.left() instanceof Expression.Fluent fluent
+        ? Optional.of(fluent.name())
+        : Optional.empty();
   }
 
   /**

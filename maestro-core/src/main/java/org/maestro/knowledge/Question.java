@@ -105,6 +105,7 @@ public final class Question {
         values.addAll(holds.atom().arguments());
       }
     }
+    stated(formula, values);
     Set<String> numbers = NumberVariables.of(formula);
     List<Map<String, Term>> bindings = List.of(new LinkedHashMap<>());
     for (String variable : FreeVariables.of(formula)) {
@@ -113,6 +114,18 @@ public final class Question {
       }
     }
     return withNumbers(bindings, formula, numbers);
+  }
+
+  /** What the home says of something, such as its title, that is no individual. */
+  private void stated(Formula formula, Set<Term> values) {
+    if (formula instanceof Formula.Atom atom) {
+      atom.arguments().stream()
+          .filter(Term.Variable.class::isInstance)
+          .map(variable -> ((Term.Variable) variable).name())
+          .filter(name -> FreeVariables.of(atom).equals(Set.of(name)))
+          .forEach(name -> snapshot.candidates(atom, name).ifPresent(values::addAll));
+    }
+    formula.parts().forEach(part -> stated(part, values));
   }
 
   /** One number may be reckoned from another: those go first whose equations say all. */

@@ -86,6 +86,7 @@ class WordsOfNoLanguageTest {
           "duration",
           "string",
           "DEG",
+          "SEC",
           "Listener");
 
   /** Words of the format of grammars, and kinds of meanings. */

@@ -128,7 +128,7 @@ public final class Sayings {
               means,
               (performative, contents) -> agent.reply(said.message(), performative, contents)));
     } else if (reading instanceof Reading.Asked asked) {
-      tell(said, means, asked.formula(), spoken::answer);
+      tell(said, means, asked.formula(), answers -> spoken.answer(answers, asked.formula()));
     } else if (reading instanceof Reading.Counted counted) {
       tell(said, means, counted.formula(), answers -> spoken.counted(answers, counted.formula()));
     } else if (reading instanceof Reading.Back back) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -115,7 +116,7 @@ public final class GrammarReader {
     return new GrammarFaultException(file, line, problem, cure);
   }
 
-  private void pair(String rest, java.util.function.BiConsumer<String, String> taken) {
+  private void pair(String rest, BiConsumer<String, String> taken) {
     String[] sides = rest.split("\\s*=\\s*", 2);
     if (sides.length < 2) {
       throw fault("has no = in it", "write the word, = and what it is");

@@ -388,6 +388,6 @@ final class Acts {
                         "facts",
                         List.of(
                             new Content.Argument.OfTerm(
-                                new Term.Text(org.maestro.sl.SlPrinter.print(formula))))))));
+                                new Term.Text(SlPrinter.print(formula))))))));
   }
 }

@@ -179,7 +179,8 @@ final class Measures {
                     OptionalDouble.empty(),
                     List.of(),
                     List.of(),
-                    List.of()));
+                    List.of(),
+                    false));
   }
 
   private Optional<Double> value(Of of, Form amount) {
@@ -364,11 +365,17 @@ final class Measures {
         .anyMatch(state -> phrases.relations().holds(state.holdsWhen(), Map.of("it", thing)));
   }
 
+  /** An oven that was spoken of has no volume. */
+  private boolean hasNumber(PredicateDeclaration fluent, Reference.Single single) {
+    return settables.maySet(fluent, single)
+        || situation.facts().number(fluent(fluent, single.term())).isPresent();
+  }
+
   /** What was spoken of last, or the place itself, or all that are here. */
   private Reference unsaid(PredicateDeclaration fluent, String type, boolean around) {
     Form it = Form.leaf("it");
     Reference last = phrases.resolve(it, type);
-    if (!(last instanceof Reference.None)) {
+    if (last instanceof Reference.Single single && hasNumber(fluent, single)) {
       return last;
     }
     Optional<String> here =

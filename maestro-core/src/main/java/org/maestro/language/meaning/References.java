@@ -10,6 +10,7 @@ import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.NounPhrases;
 import org.maestro.language.reference.Reference;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
 /** Notes, for one reading, which references are broken, and what follows for formulas. */
@@ -79,7 +80,7 @@ final class References {
                       all.conditions().isEmpty()
                           ? body
                           : new Formula.Imply(conjunction(all.conditions()), body)));
-    } else if (reference instanceof Reference.Any any && wished && phrases.isPlaced(any)) {
+    } else if (reference instanceof Reference.Any any && wished && isPlaced(any)) {
       return placed(any, said);
     } else if (reference instanceof Reference.Any any) {
       return said.apply(new Term.Variable(any.variable().name()))
@@ -98,12 +99,29 @@ final class References {
         : broken(reference);
   }
 
+  /** Whether it is said where any of them is, which changes when one is moved. */
+  private boolean isPlaced(Reference.Any any) {
+    return any.conditions().stream().anyMatch(this::mayChange);
+  }
+
+  private boolean mayChange(Formula condition) {
+    return condition instanceof Formula.Or or
+        ? or.operands().stream().allMatch(this::mayChange)
+        : condition instanceof Formula.Atom && settables.mayBringAbout(condition);
+  }
+
+  private Reference.Any anywhere(Reference.Any any) {
+    return new Reference.Any(
+        any.variable(),
+        any.conditions().stream().filter(condition -> !mayChange(condition)).toList());
+  }
+
   /** What is to be moved is one of those that are there now; when nobody knows any, any will do. */
   private Optional<Formula> placed(Reference.Any any, Function<Term, Optional<Formula>> said) {
     List<Reference> there =
         phrases.those(any).stream().<Reference>map(Reference.Single::new).toList();
     if (there.isEmpty()) {
-      return over(phrases.anywhere(any), said);
+      return over(anywhere(any), said);
     }
     List<Formula> options = new ArrayList<>();
     for (Reference one : there) {
@@ -235,6 +253,6 @@ final class References {
   }
 
   static Formula substituted(Formula formula, Map<String, Term> terms) {
-    return new org.maestro.sl.Substitution(terms).apply(formula);
+    return new Substitution(terms).apply(formula);
   }
 }

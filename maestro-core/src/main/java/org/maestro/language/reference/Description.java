@@ -1,6 +1,7 @@
 package org.maestro.language.reference;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -90,6 +91,6 @@ record Description(
   }
 
   private static <T> List<T> added(List<T> list, T one) {
-    return java.util.stream.Stream.concat(list.stream(), java.util.stream.Stream.of(one)).toList();
+    return Stream.concat(list.stream(), Stream.of(one)).toList();
   }
 }

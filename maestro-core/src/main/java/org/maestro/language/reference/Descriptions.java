@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.wording.StateWord;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -71,8 +72,8 @@ final class Descriptions {
                     new Formula.Not(
                         new Formula.Comparison(
                             Formula.Relation.EQUAL,
-                            new org.maestro.sl.Expression.OfTerm(Description.VARIABLE),
-                            new org.maestro.sl.Expression.OfTerm(last)))))
+                            new Expression.OfTerm(Description.VARIABLE),
+                            new Expression.OfTerm(last)))))
         .orElse(head);
   }
 

@@ -1,6 +1,7 @@
 package org.maestro.language.reference;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.maestro.language.grammar.Form;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
@@ -181,7 +183,7 @@ public final class NounPhrases {
 
   private Reference latest(Form phrase, String className) {
     List<Term.Name> spoken = new ArrayList<>(mentioned);
-    java.util.Collections.reverse(spoken);
+    Collections.reverse(spoken);
     spoken.addAll(situation.discourse().things());
     return spoken.stream()
         .filter(name -> relations.isA(name, className))
@@ -275,9 +277,8 @@ public final class NounPhrases {
                   new Formula.Not(
                       new Formula.Comparison(
                           Formula.Relation.EQUAL,
-                          new org.maestro.sl.Expression.OfTerm(
-                              new Term.Variable(every.variable().name())),
-                          new org.maestro.sl.Expression.OfTerm(term)))));
+                          new Expression.OfTerm(new Term.Variable(every.variable().name())),
+                          new Expression.OfTerm(term)))));
       return new Reference.All(every.variable(), conditions);
     }
     List<Term> left = terms(all).stream().filter(term -> !excluded.contains(term)).toList();
@@ -417,11 +418,6 @@ public final class NounPhrases {
         .toList();
   }
 
-  /** Whether it is said where any of them is, which changes when it is moved. */
-  public boolean isPlaced(Reference.Any any) {
-    return any.conditions().stream().anyMatch(relations::isOfPlaces);
-  }
-
   /** The things of which it is known that they are so. */
   public List<Term.Name> those(Reference.Any any) {
     return situation.facts().individuals(any.variable().className().orElse("")).stream()
@@ -432,13 +428,6 @@ public final class NounPhrases {
                         condition ->
                             relations.holds(condition, Map.of(any.variable().name(), name))))
         .toList();
-  }
-
-  /** The same, wherever they are. */
-  public Reference.Any anywhere(Reference.Any any) {
-    return new Reference.Any(
-        any.variable(),
-        any.conditions().stream().filter(condition -> !relations.isOfPlaces(condition)).toList());
   }
 
   boolean isSo(Description description, Term.Name candidate) {

@@ -207,8 +207,8 @@ public final class Relations {
             && new Evaluation(facts).truth(formula, bindings) != Truth.FALSE;
   }
 
-  /** Whether it tells where something is, which may change. */
-  boolean isOfPlaces(Formula formula) {
+  /** Whether it tells where something is, or what else prepositions tell. */
+  private boolean isOfPlaces(Formula formula) {
     if (formula instanceof Formula.Or or) {
       return or.operands().stream().allMatch(this::isOfPlaces);
     }

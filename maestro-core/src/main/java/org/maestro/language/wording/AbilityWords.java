@@ -96,7 +96,7 @@ public final class AbilityWords {
               .allMatch(role -> home.vocabulary().classes().containsKey(role.type()));
       if (isOfOthers
           && role(construction, device).isEmpty()
-          && DeedWords.goal(construction)
+          && ConstructedGoals.stated(construction)
               .filter(goal -> isBroughtAbout(goal, construction, device, Set.of(Self.NAME)))
               .isPresent()) {
         Map<String, String> any =
@@ -150,7 +150,7 @@ public final class AbilityWords {
   private List<String> deeds(Device device) {
     List<String> patterns = new ArrayList<>();
     for (Construction construction : home.wording().constructions()) {
-      if (DeedWords.goal(construction)
+      if (ConstructedGoals.stated(construction)
           .filter(goal -> isBroughtAbout(goal, construction, device, Set.of()))
           .isPresent()) {
         role(construction, device)

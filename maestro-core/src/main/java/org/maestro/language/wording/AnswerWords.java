@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.maestro.language.grammar.Grammar;
@@ -19,12 +20,14 @@ public final class AnswerWords {
   private final Grammar grammar;
   private final Naming naming;
   private final Phrases phrases;
+  private final AmountWords amounts;
   private final SpanWords spans;
 
   public AnswerWords(Home home, Grammar grammar) {
     this.grammar = grammar;
     this.naming = new Naming(home, grammar);
     this.phrases = new Phrases(grammar);
+    this.amounts = new AmountWords(home, grammar);
     this.spans = new SpanWords(grammar);
   }
 
@@ -51,10 +54,20 @@ public final class AnswerWords {
 
   /** The sentence; of yes and no, of what was asked for, or that nobody knows. */
   public String of(List<Found> answers) {
+    return of(answers, Optional.empty());
+  }
+
+  /**
+   * The same.
+   *
+   * @param fluent of which a number was asked for
+   */
+  public String of(List<Found> answers, Optional<String> fluent) {
     List<Found> certain = answers.stream().filter(one -> one.truth() == Truth.TRUE).toList();
     List<Found> bound = certain.stream().filter(one -> !one.binding().isEmpty()).toList();
     if (!bound.isEmpty()) {
-      List<String> values = bound.stream().limit(MOST).map(this::values).distinct().toList();
+      List<String> values =
+          bound.stream().limit(MOST).map(one -> values(one, fluent)).distinct().toList();
       return sentence(values, bound.size() - MOST) + ago(bound);
     }
     if (!certain.isEmpty()) {
@@ -91,13 +104,16 @@ public final class AnswerWords {
     return Phrases.capitalized(phrases.listed(all)) + ".";
   }
 
-  private String values(Found answer) {
-    return answer.binding().values().stream().map(this::value).collect(Collectors.joining(": "));
+  private String values(Found answer, Optional<String> fluent) {
+    return answer.binding().values().stream()
+        .map(text -> value(text, fluent))
+        .collect(Collectors.joining(": "));
   }
 
-  private String value(String text) {
+  private String value(String text, Optional<String> fluent) {
     try {
-      return phrases.digits(Double.parseDouble(text));
+      double number = Double.parseDouble(text);
+      return fluent.map(name -> amounts.of(name, number)).orElseGet(() -> phrases.digits(number));
     } catch (NumberFormatException e) {
       return naming.word(text);
     }

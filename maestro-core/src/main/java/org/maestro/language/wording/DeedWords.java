@@ -15,7 +15,6 @@ import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.wording.Construction;
 import org.maestro.ontology.wording.Said;
-import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Self;
@@ -38,6 +37,7 @@ public final class DeedWords {
   private final FactWords facts;
   private final OccasionWords occasions;
   private final Verbs verbs;
+  private final ConstructedGoals constructed;
 
   /**
    * In a language.
@@ -53,6 +53,7 @@ public final class DeedWords {
     this.facts = new FactWords(home, grammar, listener);
     this.occasions = new OccasionWords(grammar, facts);
     this.verbs = new Verbs(grammar);
+    this.constructed = new ConstructedGoals(home);
   }
 
   /**
@@ -199,7 +200,7 @@ public final class DeedWords {
   /** In all words that the construction has for it. */
   private Stream<Deed> deeds(
       Construction construction, Formula goal, NamedTerms named, Set<String> states) {
-    Optional<Formula> pattern = goal(construction);
+    Optional<Formula> pattern = constructed.goal(construction);
     Optional<Map<String, Term>> bound = pattern.flatMap(one -> Matching.of(one, goal));
     boolean isOfAnother =
         bound.map(values -> values.get(Self.NAME)).filter(self -> !isDevice(self)).isPresent();
@@ -231,18 +232,6 @@ public final class DeedWords {
                     Verbs.words(one).anyMatch(word -> tells(word, states))));
   }
 
-  /** The goal that a construction states. */
-  static Optional<Formula> goal(Construction construction) {
-    return construction
-        .means()
-        .filter(means -> means.operator().equals("initCNP") && means.arguments().size() == 1)
-        .map(means -> means.arguments().get(0))
-        .filter(Content.Argument.Named.class::isInstance)
-        .flatMap(goal -> ((Content.Argument.Named) goal).arguments().stream().findFirst())
-        .filter(Content.Argument.OfFormula.class::isInstance)
-        .map(goal -> ((Content.Argument.OfFormula) goal).formula());
-  }
-
   private boolean isDevice(Term term) {
     return term instanceof Term.Name name && home.devices().containsKey(name.text());
   }
@@ -253,6 +242,8 @@ public final class DeedWords {
           ? Optional.of(spans.of(Duration.ofMillis((long) (number.value() * 1000))))
           : named.text(term);
     }
-    return named.isA(term, role.type()) ? named.text(term) : Optional.empty();
+    return term instanceof Term.Text text
+        ? Optional.of(text.value())
+        : named.isA(term, role.type()) ? named.text(term) : Optional.empty();
   }
 }

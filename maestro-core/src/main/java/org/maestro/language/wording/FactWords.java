@@ -5,12 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.PredicateDeclaration;
-import org.maestro.ontology.wording.Measure;
 import org.maestro.ontology.wording.Said;
 import org.maestro.ontology.wording.StateWord;
 import org.maestro.sl.Expression;
@@ -27,12 +24,12 @@ public final class FactWords {
   private static final String ONE = "";
   private static final String MANY = "-many";
   private static final String YOU = "-you";
-  private static final double HUNDRED = 100;
 
   private final Home home;
   private final Grammar grammar;
   private final Naming naming;
   private final Phrases phrases;
+  private final AmountWords amounts;
   private final NamedTerms terms;
 
   /**
@@ -45,6 +42,7 @@ public final class FactWords {
     this.grammar = grammar;
     this.naming = new Naming(home, grammar);
     this.phrases = new Phrases(grammar);
+    this.amounts = new AmountWords(home, grammar);
     this.terms = new NamedTerms(home, grammar, listener);
   }
 
@@ -161,6 +159,9 @@ public final class FactWords {
   }
 
   private Optional<Clause> related(Formula.Atom atom, NamedTerms named) {
+    if (home.scripts().containsKey(atom.predicate())) {
+      return Optional.empty();
+    }
     List<String> words =
         atom.arguments().stream().map(named::text).flatMap(Optional::stream).toList();
     if (words.isEmpty() || words.size() < atom.arguments().size()) {
@@ -214,17 +215,6 @@ public final class FactWords {
     if (!(value instanceof Term.Number number)) {
       return named.text(value);
     }
-    Measure measure = home.wording().measures().get(fluent);
-    OptionalDouble whole = measure == null ? OptionalDouble.empty() : measure.whole();
-    if (whole.isPresent() && whole.getAsDouble() == 1) {
-      return Optional.of(
-          phrases.of("percent", Map.of("number", phrases.digits(number.value() * HUNDRED))));
-    }
-    return Optional.of(
-        phrases.digits(number.value())
-            + home.vocabulary()
-                .predicate(fluent)
-                .map(PredicateDeclaration::unitAfterNumber)
-                .orElse(""));
+    return Optional.of(amounts.of(fluent, number.value()));
   }
 }

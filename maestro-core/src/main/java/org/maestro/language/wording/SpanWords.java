@@ -1,6 +1,8 @@
 package org.maestro.language.wording;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.maestro.language.grammar.Grammar;
 
@@ -31,6 +33,21 @@ public final class SpanWords {
       return counted("one-hour", "many-hour", seconds / HOUR_SECONDS);
     }
     return counted("one-day", "many-day", seconds / DAY_SECONDS);
+  }
+
+  /** Such as one minute and 35 seconds. */
+  public String exactly(Duration span) {
+    List<String> parts = new ArrayList<>();
+    if (span.toHours() > 0) {
+      parts.add(counted("one-hour", "many-hour", (double) span.toHours()));
+    }
+    if (span.toMinutesPart() > 0) {
+      parts.add(counted("one-minute", "many-minute", span.toMinutesPart()));
+    }
+    if (span.toSecondsPart() > 0 || parts.isEmpty()) {
+      parts.add(counted("one-second", "many-second", span.toSecondsPart()));
+    }
+    return phrases.listed(parts);
   }
 
   private String counted(String one, String many, double number) {

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
  * @param more words such as "brighter", by which more of it is wished
  * @param less words such as "darker"
  * @param asked words such as "bright", by which "how ... is it" asks for it
+ * @param timeOfDay whether it is a time of day, in minutes after midnight
  */
 public record Measure(
     String fluent,
@@ -18,7 +19,8 @@ public record Measure(
     OptionalDouble whole,
     List<Said> more,
     List<Said> less,
-    List<Said> asked) {
+    List<Said> asked,
+    boolean timeOfDay) {
   public Measure {
     more = List.copyOf(more);
     less = List.copyOf(less);

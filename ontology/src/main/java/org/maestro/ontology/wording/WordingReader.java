@@ -96,7 +96,8 @@ public final class WordingReader {
         literals.number(node, "whole"),
         said(node, Maestro.term("more")),
         said(node, Maestro.term("less")),
-        said(node, Maestro.term("howMuch")));
+        said(node, Maestro.term("howMuch")),
+        literals.flag(node, "timeOfDay"));
   }
 
   private List<Said> said(Node node, Node property) {

@@ -45,6 +45,20 @@ class SpokenEveningTest {
     assertThat(stage.knowledge()).knows("(= (disc stereo) 3)");
   }
 
+  /** A78. */
+  @Test
+  void whatIsAskedOfTheMusicIsAnswered(Stage stage) {
+    Speaker dave = stage.speaker("Dave").in("livingroom");
+
+    dave.says("What is the title of this track?").replies("Lullaby.");
+    dave.says("How much time is remaining?").replies("A minute and 35 seconds.");
+    dave.says("Are there other songs by this artist?")
+        .replies(
+            "Closedown, Disintegration, Fascination Street, Friday I'm in Love, High, Homesick,"
+                + " Last Dance, Lovesong and six more.");
+    dave.says("what time is it").replies("18:05.");
+  }
+
   /** A79. */
   @Test
   void playersDoWhatTheyAreTold(Stage stage) {

@@ -11,7 +11,6 @@ import org.jline.terminal.TerminalBuilder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** Talks with a running platform as people speak, line by line. */
@@ -30,18 +29,7 @@ import picocli.CommandLine.Spec;
 final class ChatCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
-
-  @Option(names = "--as", required = true, paramLabel = "PERSON", description = "Who speaks.")
-  private String person;
-
-  @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
-  private String room;
-
-  @Option(
-      names = "--language",
-      paramLabel = "TAG",
-      description = "In which language: en or de; that of the person or of the home unless stated.")
-  private Optional<String> language = Optional.empty();
+  @Mixin private SpeakerOptions speaker;
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -49,9 +37,7 @@ final class ChatCommand implements Callable<Integer> {
       // Who there is not, or where nothing is, is told before anything is said.
       nextWords(asked, "");
       try (Keyboard keyboard = keyboard(asked)) {
-        return new ChatSession(
-                keyboard, new Conversing(asked, person, room, language, keyboard::print))
-            .converse();
+        return new ChatSession(keyboard, speaker.conversing(asked, keyboard::print)).converse();
       }
     }
   }
@@ -60,7 +46,8 @@ final class ChatCommand implements Callable<Integer> {
     if (Optional.ofNullable(System.console()).isPresent()) {
       Terminal terminal = TerminalBuilder.builder().dumb(true).build();
       if (!terminal.getType().startsWith(Terminal.TYPE_DUMB)) {
-        return new TerminalKeyboard(terminal, person + "> ", text -> suggested(asked, text));
+        return new TerminalKeyboard(
+            terminal, speaker.person() + "> ", text -> suggested(asked, text));
       }
       terminal.close();
     }
@@ -79,7 +66,9 @@ final class ChatCommand implements Callable<Integer> {
   private List<String> nextWords(AskedPlatform asked, String text) {
     List<String> words = new ArrayList<>();
     for (JsonNode word :
-        asked.answer(questions -> questions.nextWords(person, room, text)).path("words")) {
+        asked
+            .answer(questions -> questions.nextWords(speaker.person(), speaker.room(), text))
+            .path("words")) {
       words.add(word.asText());
     }
     return words;

@@ -2,14 +2,12 @@ package org.maestro.launch;
 
 import java.io.PrintWriter;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -29,32 +27,18 @@ final class SayCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
+  @Mixin private SpeakerOptions speaker;
 
   @Parameters(arity = "1..*", paramLabel = "WORDS", description = "What is said.")
   private List<String> words;
-
-  @Option(names = "--as", required = true, paramLabel = "PERSON", description = "Who speaks.")
-  private String person;
-
-  @Option(names = "--in", required = true, paramLabel = "ROOM", description = "In which room.")
-  private String room;
-
-  @Option(
-      names = "--language",
-      paramLabel = "TAG",
-      description = "In which language: en or de; that of the person or of the home unless stated.")
-  private Optional<String> language = Optional.empty();
 
   @Override
   public Integer call() throws InterruptedException {
     PrintWriter out = spec.commandLine().getOut();
     try (AskedPlatform asked = platform.ask()) {
       Conversing conversation =
-          new Conversing(
+          speaker.conversing(
               asked,
-              person,
-              room,
-              language,
               line -> {
                 out.println(line);
                 out.flush();

@@ -185,7 +185,8 @@ final class OtherWords {
                         one.whole(),
                         said(one.more(), text),
                         said(one.less(), text),
-                        said(one.asked(), text))));
+                        said(one.asked(), text),
+                        one.timeOfDay())));
     return new Wording(
         wording.languages(),
         said(wording.names(), text),

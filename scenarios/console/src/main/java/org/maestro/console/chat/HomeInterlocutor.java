@@ -246,7 +246,7 @@ public final class HomeInterlocutor implements Interlocutor {
   /** What nobody knows may be found out, if she wishes it. */
   private ChatEvent answered(String question, JsonNode known, GoalWords words) {
     List<AnswerWords.Found> found = FoundAnswers.of(known);
-    String answer = spoken.answer(found);
+    String answer = spoken.answer(found, question);
     Optional<String> look =
         Optional.of(question)
             .filter(asked -> AnswerWords.isUnknown(found))
