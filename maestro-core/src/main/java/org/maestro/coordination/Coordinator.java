@@ -48,6 +48,7 @@ import org.maestro.coordination.maintenance.MaintenanceGoal;
 import org.maestro.coordination.maintenance.Reaching;
 import org.maestro.coordination.maintenance.Wish;
 import org.maestro.coordination.recovery.FormerCalls;
+import org.maestro.coordination.recovery.FormerParts;
 import org.maestro.coordination.recovery.JournaledDispatcher;
 import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.scripts.ScriptGoal;
@@ -429,7 +430,7 @@ public final class Coordinator {
       pursuit(goal.id(), goal.request(), GoalId.number(prefix, goal.id()), news, told)
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
-    FormerCalls former = new FormerCalls(ports, roster);
+    FormerCalls former = new FormerCalls(usesScripts() ? composites.ports() : ports, roster);
     comeback.afterwards(() -> activeGoals.run(() -> takeUp(recovery, former)));
     Clock clock = ports.clock();
     clock.schedule(patience, "comeback", () -> ports.owner().execute(comeback::giveUp));
@@ -437,6 +438,8 @@ public final class Coordinator {
 
   /** Goals with something under way go first: what their steps use is theirs. */
   private void takeUp(Recovery recovery, FormerCalls former) {
+    FormerParts parts = new FormerParts(recovery, former);
+    runs.takeUp(parts);
     recovery.unwanted().forEach(call -> former.giveUp(call, "nobody wants it"));
     recovery.goals().stream()
         .sorted(Comparator.comparing(goal -> !goal.hasCalls()))
@@ -446,9 +449,8 @@ public final class Coordinator {
                     .ifPresent(pursuit -> pursuit.takeUp(goal, former)));
     recovery.goals().stream()
         .filter(goal -> ScriptGoal.script(goal.request().goal(), scripts()).isEmpty())
-        .flatMap(goal -> goal.parts().stream())
-        .flatMap(part -> part.calls().stream())
-        .forEach(call -> former.giveUp(call, "the plan of which it was a part is made anew"));
+        .forEach(
+            goal -> parts.giveUpOthers(goal.id(), "the plan of which it was a part is made anew"));
   }
 
   private Map<String, Script> scripts() {
@@ -489,15 +491,32 @@ public final class Coordinator {
     activeGoals.run(
         () -> {
           Optional<AnswerRefusal> refusal =
-              GoalId.isPart(part) && pursuits.get(GoalId.whole(part)) instanceof ScriptGoal script
-                  ? script.answer(part, text, who)
-                  : Optional.of(AnswerRefusal.notOpen(part));
+              asking(part)
+                  .map(script -> script.answer(part, text, who))
+                  .orElseGet(() -> Optional.of(AnswerRefusal.notOpen(part)));
           if (refusal.isEmpty()) {
             ports.journal().afterwards(() -> then.accept(refusal));
           } else {
             then.accept(refusal);
           }
         });
+  }
+
+  /** The script nearest to the part; a step of a plan may be one as well. */
+  private Optional<ScriptGoal> asking(String part) {
+    Optional<String> whole = Optional.of(part);
+    while (whole.isPresent()) {
+      whole = whole.flatMap(GoalId::enclosing);
+      Optional<ScriptGoal> script =
+          whole
+              .flatMap(this::underway)
+              .filter(ScriptGoal.class::isInstance)
+              .map(ScriptGoal.class::cast);
+      if (script.isPresent()) {
+        return script;
+      }
+    }
+    return Optional.empty();
   }
 
   public void memberPresent(String member) {

@@ -6,8 +6,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.contention.ResourceClaimsTest;
@@ -144,5 +148,23 @@ class CompositesTest {
 
     assertThat(house.outcomes.get(id).state()).isEqualTo(GoalState.CANCELLED);
     assertThat(house.place).as(house.told()).containsEntry("rose", "zone-a");
+  }
+
+  @Test
+  void aStepOfAPlanMayAskSomething() {
+    String id =
+        wish(
+            "home:Bob a :Person ; rdfs:label \"Bob\"@en ."
+                + courier(
+                    3, "(seq (ask Bob \\\"Really?\\\" ?really boolean) (achieve (in ?item ?to)))"),
+            "(in Cup zone-c)");
+    List<Optional<AnswerRefusal>> told = new ArrayList<>();
+    house.clock.run(Duration.ofSeconds(2));
+    house.coordinator.answer("G1.1.1", "yes", "Bob", told::add);
+    house.clock.runUntil(() -> house.outcomes.containsKey(id), Duration.ofMinutes(5));
+
+    assertThat(told).as(house.told()).containsExactly(Optional.empty());
+    assertThat(house.outcomes.get(id).reached()).as(house.told()).isTrue();
+    assertThat(house.told()).contains("courier is run for Cup, zone-c");
   }
 }

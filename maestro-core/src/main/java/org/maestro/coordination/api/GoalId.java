@@ -1,5 +1,6 @@
 package org.maestro.coordination.api;
 
+import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
@@ -24,6 +25,18 @@ public final class GoalId {
   /** The goal that one is pursued for; itself, when it is no part of another. */
   public static String whole(String goalId) {
     return PATH.matcher(goalId).replaceFirst("");
+  }
+
+  /** The goal of which one is a part, that may be a part itself; empty for a whole one. */
+  public static Optional<String> enclosing(String goalId) {
+    return isPart(goalId)
+        ? Optional.of(goalId.substring(0, goalId.lastIndexOf('.')))
+        : Optional.empty();
+  }
+
+  /** The number of a part among those of what encloses it. */
+  public static int lastNumber(String partId) {
+    return Integer.parseInt(partId.substring(partId.lastIndexOf('.') + 1));
   }
 
   public static boolean isPart(String goalId) {

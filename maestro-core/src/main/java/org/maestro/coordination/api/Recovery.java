@@ -65,7 +65,8 @@ public record Recovery(
    * @param memory what else it remembered
    * @param calls begun for it, and not known to be over
    * @param lastEnd of its calls that are over
-   * @param parts goals that were pursued for steps of it, as it is a script, and had no end yet
+   * @param parts goals that were pursued for steps of it, and for steps of those, and had no end
+   *     yet
    * @param endedParts those that had
    */
   public record UnfinishedGoal(
@@ -81,6 +82,23 @@ public record Recovery(
       Optional<JournalEntry.Ended> lastEnd,
       List<UnfinishedGoal> parts,
       List<EndedGoal> endedParts) {
+
+    /** The same with these parts. */
+    public UnfinishedGoal with(List<UnfinishedGoal> parts, List<EndedGoal> endedParts) {
+      return new UnfinishedGoal(
+          id,
+          request,
+          submittedAt,
+          state,
+          detail,
+          effort,
+          keeps,
+          memory,
+          calls,
+          lastEnd,
+          parts,
+          endedParts);
+    }
 
     /** Whether anything was under way for it, or for a step of it. */
     public boolean hasCalls() {

@@ -11,8 +11,9 @@ import java.util.function.Predicate;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
-import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Script;
 import org.maestro.ontology.vocabulary.Parameter;
@@ -24,13 +25,14 @@ import org.maestro.sl.Term;
 
 /**
  * Orders to agents, and to scripts: a step that is a script has it carried out as a part of the
- * goal for whose plan it is. No journal has such a step, as it is no call: after a restart its goal
- * is planned from what is so then.
+ * goal for whose plan it is. The journal has it as a call of that part's id, by which the script
+ * goes on after a restart.
  */
 final class ScriptCalls implements ActionDispatcher {
   private final ActionDispatcher agents;
   private final KnowledgeBase knowledge;
   private final Clock clock;
+  private final Journal journal;
   private final ScriptRuns runs;
   private final Function<String, Ports> within;
   private final Map<String, Integer> runsByGoal = new HashMap<>();
@@ -42,6 +44,7 @@ final class ScriptCalls implements ActionDispatcher {
     this.agents = ports.dispatcher();
     this.knowledge = ports.knowledge();
     this.clock = ports.clock();
+    this.journal = ports.journal();
     this.runs = runs;
     this.within = within;
   }
@@ -56,17 +59,40 @@ final class ScriptCalls implements ActionDispatcher {
     List<Term> arguments =
         step.feature().inputs().stream().map(Parameter::name).map(step.values()::get).toList();
     PromisedEffect promised = new PromisedEffect(step, knowledge);
-    int number = runsByGoal.merge(order.goalId(), 1, Integer::sum);
-    ActiveGoal run =
-        runs.begin(
-            GoalId.part(order.goalId(), String.valueOf(number)),
-            new Formula.Atom(script, arguments),
-            within.apply(script),
-            outcome -> reported.accept(report(script, outcome, promised)));
+    Formula.Atom goal = new Formula.Atom(script, arguments);
+    String id = order.call().map(Call::id).orElseGet(() -> nextId(order.goalId()));
+    Consumer<GoalOutcome> ended =
+        outcome -> {
+          Report report = report(script, outcome, promised);
+          journal.write(new JournalEntry.Ended(order.goalId(), id, report.problem()));
+          reported.accept(report);
+        };
+    if (order.call().isPresent()) {
+      runsByGoal.merge(order.goalId(), GoalId.lastNumber(id), Math::max);
+      return handle(runs.takeUp(id, goal, within.apply(script), ended));
+    }
+    journal.write(
+        new JournalEntry.Begun(
+            order.goalId(),
+            new Call(id, Optional.empty()),
+            step.key(),
+            step.number(),
+            step.seconds(),
+            order.parameters(),
+            order.timeout()));
+    return handle(runs.begin(id, goal, within.apply(script), ended));
+  }
+
+  private String nextId(String goalId) {
+    int number = runsByGoal.merge(goalId, 1, Integer::sum);
+    return GoalId.part(goalId, String.valueOf(number));
+  }
+
+  private Handle handle(Runnable cancelling) {
     return new Handle() {
       @Override
       public void cancel() {
-        run.cancel("the goal for which it was run");
+        cancelling.run();
       }
 
       @Override
@@ -87,7 +113,11 @@ final class ScriptCalls implements ActionDispatcher {
 
   @Override
   public void callOff(String member, Call call) {
-    agents.callOff(member, call);
+    if (member.equals(Script.PLANNED_AS)) {
+      runs.giveUp(call.id());
+    } else {
+      agents.callOff(member, call);
+    }
   }
 
   @Override

@@ -72,6 +72,7 @@ public final class JournalImage {
     JournalEntry entry = dated.entry();
     if (entry instanceof JournalEntry.Submitted submitted) {
       goals.put(submitted.goalId(), new GoalImage(dated));
+      forgetParts(submitted.goalId() + ".");
       lastGoalNumber = Math.max(lastGoalNumber, GoalId.number(GoalId.CENTRAL, submitted.goalId()));
     } else if (entry instanceof JournalEntry.Withdrawn withdrawn) {
       goals.remove(withdrawn.goalId());

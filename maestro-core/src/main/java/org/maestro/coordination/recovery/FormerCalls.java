@@ -9,6 +9,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
+import org.maestro.ontology.home.Script;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.Step;
 
@@ -29,6 +30,9 @@ public final class FormerCalls {
   private final Ports ports;
   private final Roster roster;
 
+  /**
+   * @param ports of a world in which scripts are among the members, if plans use them
+   */
   public FormerCalls(Ports ports, Roster roster) {
     this.ports = ports;
     this.roster = roster;
@@ -37,6 +41,11 @@ public final class FormerCalls {
   /** Why it must not be asked for again: the member would take it for a new one. */
   public Optional<String> obstacle(Recovery.UnfinishedCall call) {
     String member = call.begun().step().member();
+    if (member.equals(Script.PLANNED_AS)) {
+      return feature(call).isPresent()
+          ? Optional.empty()
+          : Optional.of("there is no script " + call.begun().step().feature() + " any more");
+    }
     if (!roster.isPresent(member)) {
       return Optional.of(member + " has not come back");
     }

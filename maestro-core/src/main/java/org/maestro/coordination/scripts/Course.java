@@ -392,6 +392,10 @@ final class Course {
     activeGoals.enter(part, standing);
     Recovery.UnfinishedGoal before = former.remove(id);
     if (before != null && ready.isPresent()) {
+      if (!holds.containsKey(path)) {
+        // Scripts in its plans are its own to take up; what a hold is for are steps of this one.
+        former.keySet().removeIf(one -> GoalId.isWithin(one, id));
+      }
       part.prepareToTakeUp(before, "for what was under way before the restart");
       part.takeUp(before, ready.get());
     } else {

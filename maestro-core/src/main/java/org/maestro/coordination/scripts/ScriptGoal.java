@@ -48,7 +48,7 @@ public final class ScriptGoal implements GoalOfGoals {
   private static final String CANCELLED = "0";
 
   /** Who has come back tells of itself within this time; what is not known by then is not so. */
-  private static final Duration TELLING = Duration.ofSeconds(1);
+  public static final Duration TELLING = Duration.ofSeconds(1);
 
   private final GoalLife life;
   private final GoalStory story;

@@ -25,6 +25,7 @@ import org.maestro.coordination.lessons.Insistence;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
+import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Objective;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -90,14 +91,21 @@ public final class GoalStory {
   /** What becomes of a call that was under way then; empty: it is asked for again. */
   public void takenUp(Recovery.UnfinishedCall call, Optional<String> obstacle) {
     JournalEntry.Begun begun = call.begun();
+    boolean isScript = begun.step().member().equals(Script.PLANNED_AS);
     String step =
-        "Step %d (%s by %s)"
-            .formatted(begun.number(), begun.step().feature(), begun.step().member());
+        isScript
+            ? "Step %d (the script %s)".formatted(begun.number(), begun.step().feature())
+            : "Step %d (%s by %s)"
+                .formatted(begun.number(), begun.step().feature(), begun.step().member());
+    String again =
+        isScript
+            ? " was under way; it goes on where it was."
+            : " was under way; asked for again, which is no second time.";
     tell(
         StoryEntry.Kind.RESTART,
         obstacle
             .map(why -> step + " was under way, and nobody knows what became of it: " + why + ".")
-            .orElse(step + " was under way; asked for again, which is no second time."));
+            .orElse(step + again));
   }
 
   private List<String> names(GoalRequest request) {

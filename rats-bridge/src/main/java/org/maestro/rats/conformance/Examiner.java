@@ -164,6 +164,21 @@ final class Examiner implements AutoCloseable {
     return await(0, told.and(Heard::retained), patience.answersWithin()).or(() -> first);
   }
 
+  /**
+   * Whether the broker keeps this on the topic now. Two senders' messages may come in one order to
+   * one receiver and in the other to another: what is kept is the last word.
+   */
+  boolean stands(String topic, JsonNode content) {
+    int since = now();
+    transport.askForRetained(topic);
+    return await(
+            since,
+            heard ->
+                heard.topic().equals(topic) && heard.retained() && heard.content().equals(content),
+            patience.answersWithin())
+        .isPresent();
+  }
+
   /** Whether the broker keeps an answer of the device, which nobody who comes later asked for. */
   boolean isAnswerKept() {
     int since = now();

@@ -124,7 +124,7 @@ final class ForgedWords {
                 heard -> heard.topic().equals(topic) && heard.content().equals(own.get()),
                 bench.patience().answersWithin())
             .isPresent();
-    if (isToldAgain) {
+    if (isToldAgain || bench.examiner().stands(topic, own.get())) {
       return kept(DeviceRule.FORGED_DESCRIPTION, "it tells its own again");
     }
     bench.examiner().sendRetained(topic, own.get().toString().getBytes(UTF_8));

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -46,6 +47,11 @@ class CrashTest {
           "G1.5 (ping (:room zone-a))",
           "G1.6 Shall it be dim?",
           "G1.6.1.1 calm");
+
+  /** A goal whose plan has a script as a step, and a script that has such a goal. */
+  private static final String PLAN = "(and (ready zone-b) (nextTo Cup Bob))";
+
+  private static final String SCRIPT_WITH_PLAN = "(visit)";
 
   private static Home home;
   private static Scene scene;
@@ -245,20 +251,31 @@ class CrashTest {
 
   @Test
   void someEntriesOfAScriptInAPlan() throws IOException {
-    int entries = entriesOfScriptInPlan();
+    int entries = entriesOfScriptInPlan(PLAN);
     assertThat(entries).isGreaterThan(40);
-    inPlan(entries / 4, 30);
-    inPlan(entries / 2, 0);
-    inPlan(entries * 3 / 4, 0);
+    inPlan(PLAN, "G1.1", entries / 4, 30);
+    inPlan(PLAN, "G1.1", entries / 2, 0);
+    inPlan(SCRIPT_WITH_PLAN, "G1.1.1", entries / 2, 0);
+    inPlan(PLAN, "G1.1", entries * 3 / 4, 0);
   }
 
   @Test
   @Tag("full")
   void everyEntryOfAScriptInAPlan() throws IOException {
-    int entries = entriesOfScriptInPlan();
+    everyEntryInPlan(PLAN, "G1.1");
+  }
+
+  @Test
+  @Tag("full")
+  void everyEntryOfAScriptInThePlanOfAScript() throws IOException {
+    everyEntryInPlan(SCRIPT_WITH_PLAN, "G1.1.1");
+  }
+
+  private void everyEntryInPlan(String goal, String script) throws IOException {
+    int entries = entriesOfScriptInPlan(goal);
     for (long at : Share.of(LongStream.rangeClosed(1, entries)).toArray()) {
-      inPlan((int) at, 0);
-      inPlan((int) at, (int) (1 + at % 60));
+      inPlan(goal, script, (int) at, 0);
+      inPlan(goal, script, (int) at, (int) (1 + at % 60));
     }
   }
 
@@ -271,24 +288,27 @@ class CrashTest {
                 home:ready a maestro:Predicate ; rdfs:label "ready" ; maestro:arguments ( "?room - Zone" ) .
                 home:prepare a maestro:Script ; rdfs:label "have a room ready" ;
                   maestro:arguments ( "?room - Zone" ) ; maestro:effect "(ready ?room)" ; maestro:cost 10 ;
-                  maestro:body "(seq (achieve (>= (illuminance ?room) 72)) (achieve (in rose zone-a)) (assert (ready ?room)))" .
+                  maestro:body "(seq (tell CCA (begun (:room ?room))) (achieve (>= (illuminance ?room) 72)) (achieve (in rose zone-a)) (tell CCA (almost (:room ?room))) (assert (ready ?room)))" .
+                home:visit a maestro:Script ; rdfs:label "have a visitor" ;
+                  maestro:body "(seq (achieve (ready zone-b)) (achieve (nextTo Cup Bob)))" .
                 """,
             "bob.ttl");
   }
 
-  private static void prepared(MortalSite site) {
+  private static void prepared(MortalSite site, String goal) {
     site.clock.runUntil(() -> site.isDead() || site.allPresent(), Duration.ofMinutes(1));
-    site.submit("(and (ready zone-b) (nextTo Cup Bob))");
+    site.submit(goal);
     site.clock.runUntil(
         () -> site.isDead() || site.accepted.size() == 1 && site.allEnded(),
         Duration.ofMinutes(20));
   }
 
-  private int entriesOfScriptInPlan() throws IOException {
+  private int entriesOfScriptInPlan(String goal) throws IOException {
     try (MortalSite site =
-        new MortalSite(homeWithComposite(), scene, directory.resolve("composite"))) {
+        new MortalSite(
+            homeWithComposite(), scene, directory.resolve("composite" + goal.length()))) {
       site.begin(Integer.MAX_VALUE);
-      prepared(site);
+      prepared(site, goal);
       assertThat(site.story.toString()).contains("the script prepare is run for zone-b");
       assertThat(site.outcomes.values())
           .as(site.story.toString())
@@ -297,15 +317,20 @@ class CrashTest {
     }
   }
 
-  /** Its goal is planned from what is so then; nothing that was under way is done beside it. */
-  private void inPlan(int at, int torn) throws IOException {
-    Path data = directory.resolve("composite-" + at + "-" + torn);
+  /**
+   * The script goes on where it was, and then its goal. What it had asserted nobody knows after the
+   * end of the process, so it is run once more for that.
+   */
+  private void inPlan(String goal, String script, int at, int torn) throws IOException {
+    Path data = directory.resolve(script + "-" + at + "-" + torn);
     try (MortalSite site = new MortalSite(homeWithComposite(), scene, data)) {
       site.begin(at);
-      prepared(site);
+      prepared(site, goal);
+      boolean accepted = !site.accepted.isEmpty();
       if (torn > 0) {
         site.tear(torn);
       }
+      List<String> left = Files.readAllLines(data.resolve("journal.jsonl"));
       site.clock.run(Duration.ofMillis(100L * (at % 50)));
       site.begin(Integer.MAX_VALUE);
       site.clock.runUntil(() -> site.allPresent() && site.allEnded(), Duration.ofMinutes(20));
@@ -319,7 +344,29 @@ class CrashTest {
       assertThat(site.allEnded()).as(context).isTrue();
       assertThat(site.outcomes.values()).as(context).allMatch(outcome -> outcome.reached());
       assertThat(site.witness.executedTwice()).as(context).isEmpty();
+      List<String> letters =
+          List.of(script + ".1 (begun (:room zone-b))", script + ".4 (almost (:room zone-b))");
+      if (accepted && !isNoted(script + ".5 (ready zone-b)", left)) {
+        assertThat(new LinkedHashSet<>(site.letters))
+            .as(context)
+            .containsExactlyElementsOf(letters);
+        for (String letter : letters) {
+          assertThat(Collections.frequency(site.letters, letter))
+              .as(letter + "\n" + context)
+              .isLessThanOrEqualTo(isNoted(letter, left) ? 1 : 2);
+        }
+      }
     }
+  }
+
+  /** Whether the journal has it that the part is over by which the letter was sent. */
+  private static boolean isNoted(String letter, List<String> journal) {
+    String part = letter.substring(0, letter.indexOf(' '));
+    int dot = part.lastIndexOf('.');
+    return journal.stream()
+        .filter(line -> line.contains("\"noted\"") && line.endsWith("}"))
+        .filter(line -> line.contains("\"" + part.substring(0, dot) + "\""))
+        .anyMatch(line -> line.contains("\"path\":\"" + part.substring(dot + 1) + "\""));
   }
 
   /** The time for which nobody is there counts. */
