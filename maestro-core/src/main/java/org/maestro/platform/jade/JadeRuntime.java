@@ -155,18 +155,28 @@ public final class JadeRuntime {
     properties.setProperty(Profile.MAIN_PORT, String.valueOf(mainPort));
     properties.setProperty(Profile.CONTAINER_NAME, containerName);
     entry.guard().ifPresent(own -> GuardedProfile.guard(properties, own));
-    if (entry.first()) {
-      ContainerProfile.listen(properties, entry.guard(), Sockets.free(entry.from()));
+    Supplier<AgentContainer> joining =
+        () -> Runtime.instance().createAgentContainer(new WiredProfile(properties, shared.wires()));
+    Optional<AgentContainer> joined =
+        entry.first() ? listening(properties, entry, joining) : begun(joining);
+    return joined.orElseThrow(
+        () ->
+            new PlatformStartException(
+                "The container %s could not join the platform at %s:%d; its log says why."
+                    .formatted(containerName, host, mainPort)));
+  }
+
+  /** A port that was free a moment ago may be taken by then; then another one is. */
+  private static Optional<AgentContainer> listening(
+      Properties properties, Entry entry, Supplier<AgentContainer> joining) {
+    for (int attempt = 1; ; attempt++) {
+      int port = Sockets.free(entry.from());
+      ContainerProfile.listen(properties, entry.guard(), port);
+      Optional<AgentContainer> joined = begun(joining);
+      if (joined.isPresent() || attempt == MOST_BEGINNINGS || Sockets.isFree(entry.from(), port)) {
+        return joined;
+      }
     }
-    return begun(
-            () ->
-                Runtime.instance()
-                    .createAgentContainer(new WiredProfile(properties, shared.wires())))
-        .orElseThrow(
-            () ->
-                new PlatformStartException(
-                    "The container %s could not join the platform at %s:%d; its log says why."
-                        .formatted(containerName, host, mainPort)));
   }
 
   /**
