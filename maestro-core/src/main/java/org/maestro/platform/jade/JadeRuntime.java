@@ -158,7 +158,9 @@ public final class JadeRuntime {
     Supplier<AgentContainer> joining =
         () -> Runtime.instance().createAgentContainer(new WiredProfile(properties, shared.wires()));
     Optional<AgentContainer> joined =
-        entry.first() ? listening(properties, entry, joining) : begun(joining);
+        entry.first()
+            ? listening(properties, entry, joining)
+            : begun(joining).or(() -> listening(properties, entry, joining));
     return joined.orElseThrow(
         () ->
             new PlatformStartException(
@@ -166,7 +168,11 @@ public final class JadeRuntime {
                     .formatted(containerName, host, mainPort)));
   }
 
-  /** A port that was free a moment ago may be taken by then; then another one is. */
+  /**
+   * Joins with connections of its own: those that the platform's containers of this process share
+   * JADE forgets when an earlier platform of that name ends late. A port that was free a moment ago
+   * may be taken by then; then another one is.
+   */
   private static Optional<AgentContainer> listening(
       Properties properties, Entry entry, Supplier<AgentContainer> joining) {
     for (int attempt = 1; ; attempt++) {
