@@ -9,11 +9,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.GrammarReader;
+import org.maestro.language.grammar.Rule;
 import org.maestro.language.hearing.HeardWords;
 import org.maestro.language.lexicon.ConstructionRules;
 import org.maestro.language.lexicon.FittingRoles;
@@ -108,6 +110,17 @@ public final class Language {
     Listening listening = listen(situation);
     words(utterance).forEach(listening::hear);
     return listening.end(utterance).in(new OwnWords(tokens, utterance));
+  }
+
+  /**
+   * The lines of the grammar by which it is understood what somebody says, as far as they are its
+   * rules; none where it is not understood.
+   */
+  public Set<Integer> rulesOf(String utterance, Situation situation) {
+    Listening listening = listen(situation);
+    words(utterance).forEach(listening::hear);
+    listening.end(utterance);
+    return listening.rules().stream().map(Rule::line).collect(Collectors.toSet());
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
+import org.maestro.language.grammar.Rule;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.hearing.HeardWords;
 import org.maestro.language.meaning.Doubt;
@@ -132,6 +133,17 @@ public final class Listening {
         meanings,
         beginning.began(),
         coverage());
+  }
+
+  /** The rules by which it was understood what was said; none where it was not. */
+  Set<Rule> rules() {
+    return soFar().stream()
+        .findFirst()
+        .flatMap(
+            best ->
+                words.readings().stream().filter(one -> one.form().equals(best.form())).findFirst())
+        .map(words.chart()::rules)
+        .orElse(Set.of());
   }
 
   /** What was said until a word that is not understood, where only a role is missing then. */

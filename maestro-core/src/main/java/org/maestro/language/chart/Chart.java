@@ -150,6 +150,11 @@ public final class Chart {
         .toList();
   }
 
+  /** The rules by which a reading of all words came about. */
+  public Set<Rule> rules(Reading reading) {
+    return new Ancestry(columns, words, rules).of(reading);
+  }
+
   /**
    * The readings of what was said so far, those of whole utterances first; what is still to be said
    * is a hole.

@@ -15,6 +15,7 @@ import org.maestro.language.grammar.Symbol;
 /** The rules of a grammar by what they begin with, and what may begin a category. Immutable. */
 public final class RuleIndex {
   private final Map<Symbol, List<Rule>> byFirst = new HashMap<>();
+  private final Map<String, List<Rule>> byCategory = new HashMap<>();
   private final Map<String, Set<String>> leftCorners = new HashMap<>();
   private final Map<String, Set<String>> firstWords = new HashMap<>();
 
@@ -23,6 +24,7 @@ public final class RuleIndex {
     for (Rule rule : grammar.rules()) {
       Symbol first = rule.symbols().get(0);
       byFirst.computeIfAbsent(first, f -> new ArrayList<>()).add(rule);
+      byCategory.computeIfAbsent(rule.category(), c -> new ArrayList<>()).add(rule);
       if (first instanceof Symbol.Category category) {
         firsts.computeIfAbsent(rule.category(), c -> new HashSet<>()).add(category.name());
       } else {
@@ -60,6 +62,11 @@ public final class RuleIndex {
   /** The rules that begin with this. */
   List<Rule> beginningWith(Symbol symbol) {
     return byFirst.getOrDefault(symbol, List.of());
+  }
+
+  /** The rules that make up the category. */
+  List<Rule> of(String category) {
+    return byCategory.getOrDefault(category, List.of());
   }
 
   /** The categories with which the category may begin, itself included. */

@@ -20,6 +20,12 @@ public final class ConstructionPlaces {
   /** All else but the last, where something is said in any words at the end. */
   public static final String BEFORE = "BEFORE";
 
+  /** To whom or what it is done: what fills the first place behind the verb. */
+  public static final String OBJECT = "OBJECT";
+
+  /** All else that is said then. */
+  public static final String OTHERS = "OTHERS";
+
   /** What is said in any words, and the word before it. */
   public static final String SAYING = "SAYING";
 

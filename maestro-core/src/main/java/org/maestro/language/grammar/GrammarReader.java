@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -213,14 +214,17 @@ public final class GrammarReader {
         read,
         0,
         new ArrayList<>(),
-        chosen ->
-            into.add(
-                new Rule(
-                    category,
-                    chosen.stream().map(Choice::symbol).toList(),
-                    chosen.stream().map(Choice::label).toList(),
-                    meaning,
-                    penalty)));
+        chosen -> {
+          List<Choice> words = chosen.stream().flatMap(Choice::ofWords).toList();
+          into.add(
+              new Rule(
+                  category,
+                  words.stream().map(Choice::symbol).toList(),
+                  words.stream().map(Choice::label).toList(),
+                  meaning,
+                  penalty,
+                  line));
+        });
   }
 
   /** Without a form, a rule means what its only category means, or nothing of interest. */
@@ -236,7 +240,15 @@ public final class GrammarReader {
   /** What is written in the place of one symbol. */
   private record Item(String label, List<Symbol> alternatives, boolean optional) {}
 
-  private record Choice(String label, Symbol symbol) {}
+  private record Choice(String label, Symbol symbol) {
+    /** Of several words each is a symbol. */
+    Stream<Choice> ofWords() {
+      return symbol instanceof Symbol.Word words
+          ? Arrays.stream(words.text().split(" "))
+              .map(word -> new Choice(label, new Symbol.Word(word)))
+          : Stream.of(this);
+    }
+  }
 
   private Item item(String written) {
     boolean optional = written.endsWith("?") && written.length() > 1;

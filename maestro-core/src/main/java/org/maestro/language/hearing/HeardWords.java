@@ -176,6 +176,10 @@ public final class HeardWords {
       taken(word);
       return;
     }
+    if (!blocked && isStuttered(word)) {
+      heard.add(new Heard(word, Heard.Fate.REPAIR));
+      return;
+    }
     // After a repair, a word is not one of whichever words that somebody is to be told.
     if (!blocked && chart.extend(word, !repairing)) {
       heard.add(new Heard(word, Heard.Fate.TAKEN));
@@ -280,6 +284,16 @@ public final class HeardWords {
               since.add(word);
               return new Resumption(last.before(), last.column(), List.copyOf(since));
             });
+  }
+
+  /** An article that is said twice is one, where nothing is called so. */
+  private boolean isStuttered(String word) {
+    List<String> words = chart.words();
+    return isListed("article", List.of(word))
+        && !words.isEmpty()
+        && words.get(words.size() - 1).equals(word)
+        && !lexicon.isBeginning(List.of(word, word), category -> true)
+        && lexicon.endingWith(List.of(word, word)).stream().noneMatch(entry -> entry.words() == 2);
   }
 
   /** Who begins again with a word takes back what he said since it: in A, I mean in B. */

@@ -114,11 +114,21 @@ public final class ConstructionRules {
     for (Rule pattern : grammar.patterns()) {
       boolean mayBe =
           (isWish || !pattern.category().equals(WISHED))
-              && (filling.textAt() >= 0 || !stands(ConstructionPlaces.SAYING, pattern));
+              && (filling.textAt() >= 0 || !stands(ConstructionPlaces.SAYING, pattern))
+              && (isOfAnObject(construction, rest) || !stands(ConstructionPlaces.OBJECT, pattern));
       if (mayBe && tells == stands(ConstructionPlaces.SUBJECT, pattern)) {
         made.accept(rule(pattern, construction, filling));
       }
     }
+  }
+
+  /** Whether something is done to a thing or person, and is not only said or a number. */
+  private static boolean isOfAnObject(Construction construction, List<Part> rest) {
+    return !rest.isEmpty()
+        && rest.get(0).role()
+        && construction.roles().stream()
+            .filter(role -> role.name().equals(rest.get(0).text()))
+            .noneMatch(role -> CATEGORIES.containsKey(role.type()));
   }
 
   private static boolean stands(String place, Rule pattern) {
@@ -165,6 +175,13 @@ public final class ConstructionRules {
             .rest()
             .subList(filling.textAt(), filling.rest().size())
             .forEach(part -> items.add(item(construction, part)));
+      } else if (place.equals(ConstructionPlaces.OBJECT)) {
+        items.add(item(construction, filling.rest().get(0)));
+      } else if (place.equals(ConstructionPlaces.OTHERS)) {
+        filling
+            .rest()
+            .subList(1, filling.rest().size())
+            .forEach(part -> items.add(item(construction, part)));
       } else if (place.equals(ConstructionPlaces.SUBJECT)) {
         filling.subject().forEach(part -> items.add(item(construction, part)));
       } else if (place.contains(ConstructionPlaces.VERB)
@@ -181,7 +198,8 @@ public final class ConstructionRules {
         items.stream().map(Labelled::symbol).toList(),
         items.stream().map(Labelled::label).toList(),
         filled(pattern.template(), frame(construction, filling)),
-        pattern.penalty());
+        pattern.penalty(),
+        pattern.line());
   }
 
   /** A form of the verb, with what may be parted from it, as the place says. */

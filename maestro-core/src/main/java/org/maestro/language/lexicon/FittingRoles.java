@@ -61,7 +61,8 @@ public final class FittingRoles implements Predicate<Form> {
   private boolean mayBe(Form phrase, String type) {
     return switch (phrase.head()) {
       case "np" -> mayBe(phrase.part(phrase.parts().size() - 1), type);
-      case "mod", "instate", "beside", "of", "nth" -> mayBe(phrase.part(1), type);
+      case "mod", "instate", "beside", "of", "nth", "extreme", "around" ->
+          mayBe(phrase.part(1), type);
       case "at", "placed", "except", "other" -> mayBe(phrase.part(0), type);
       case "called" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);
       case "and", "or" -> mayBe(phrase.part(0), type) && mayBe(phrase.part(1), type);

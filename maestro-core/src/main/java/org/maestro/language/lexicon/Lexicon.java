@@ -34,6 +34,9 @@ public final class Lexicon implements WordEntries {
   /** What a thing is like: {@code (adj colour red)}. */
   public static final String ADJECTIVE = "Adjective";
 
+  /** What things are like, as a kind: {@code (attribute colour)}. */
+  public static final String ATTRIBUTE = "Attribute";
+
   /** A relation: {@code (prep in inside)}. */
   public static final String PREPOSITION = "Preposition";
 
@@ -45,6 +48,12 @@ public final class Lexicon implements WordEntries {
 
   /** Less of a number. */
   public static final String LESS = "Less";
+
+  /** More of a number than all others. */
+  public static final String MOST = "Most";
+
+  /** Less of a number than all others. */
+  public static final String LEAST = "Least";
 
   /** What is asked for with how. */
   public static final String HOW_MUCH = "HowMuch";

@@ -26,6 +26,7 @@ public final class LexiconOfHome {
   private static final String PLURAL = "plural";
   private static final String ZONE = "Zone";
   private static final String POSITIVE = "positive";
+  private static final String SUPERLATIVE = "superlative";
   private static final String ADJECTIVE_FORMS = "adjective-forms";
 
   private final Home home;
@@ -53,10 +54,15 @@ public final class LexiconOfHome {
     Map<String, List<Said>> fluents = new LinkedHashMap<>();
     wording.measures().keySet().forEach(name -> fluents.put(name, said(name)));
     grouped(Lexicon.FLUENT, "fluent", fluents);
+    wording
+        .describing()
+        .forEach(name -> enter(Lexicon.ATTRIBUTE, name, Form.of("attribute", leaf(name))));
     grouped(Lexicon.MORE, "more", measures(Measure::more));
     grouped(Lexicon.LESS, "less", measures(Measure::less));
     grouped(Lexicon.HIGH, "more", measures(measure -> positive(measure.more())));
     grouped(Lexicon.LOW, "less", measures(measure -> positive(measure.less())));
+    grouped(Lexicon.MOST, "more", measures(measure -> superlative(measure.more())));
+    grouped(Lexicon.LEAST, "less", measures(measure -> superlative(measure.less())));
     grouped(Lexicon.HOW_MUCH, "howMuch", measures(Measure::asked));
     Map<String, List<Said>> states = new LinkedHashMap<>();
     for (StateWord state : wording.states()) {
@@ -64,10 +70,9 @@ public final class LexiconOfHome {
     }
     grouped(Lexicon.STATE, "state", states);
     statesOfNouns();
-    Map<String, List<Said>> attributes = new LinkedHashMap<>();
-    states.forEach(
-        (name, said) -> attributes.put(name, said.stream().flatMap(this::formsOf).toList()));
-    grouped(Lexicon.STATE_FORM, "state", attributes);
+    Map<String, List<Said>> forms = new LinkedHashMap<>();
+    states.forEach((name, said) -> forms.put(name, said.stream().flatMap(this::formsOf).toList()));
+    grouped(Lexicon.STATE_FORM, "state", forms);
     Set<String> classes = new HashSet<>();
     home.individuals().values().forEach(one -> classes.addAll(one.classes()));
     return new Lexicon(
@@ -167,14 +172,25 @@ public final class LexiconOfHome {
 
   /** What is brighter is bright. */
   private List<Said> positive(List<Said> comparatives) {
-    List<Said> positives = new ArrayList<>();
+    return inForm(POSITIVE, comparatives);
+  }
+
+  /** What is brighter than all others is the brightest. */
+  private List<Said> superlative(List<Said> comparatives) {
+    return inForm(SUPERLATIVE, comparatives).stream()
+        .flatMap(said -> Stream.concat(Stream.of(said), formsOf(said)))
+        .toList();
+  }
+
+  private List<Said> inForm(String form, List<Said> comparatives) {
+    List<Said> all = new ArrayList<>();
     for (Said comparative : comparatives) {
-      String positive = grammar.inflection().of(comparative.text(), POSITIVE);
-      if (comparative.isIn(grammar.language()) && !positive.equals(comparative.text())) {
-        positives.add(comparative.saying(positive));
+      String said = grammar.inflection().of(comparative.text(), form);
+      if (comparative.isIn(grammar.language()) && !said.equals(comparative.text())) {
+        all.add(comparative.saying(said));
       }
     }
-    return positives;
+    return all;
   }
 
   private static Form leaf(String text) {

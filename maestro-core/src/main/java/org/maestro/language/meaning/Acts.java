@@ -8,7 +8,9 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.NounPhrases;
+import org.maestro.language.reference.Reference;
 import org.maestro.language.reference.Situation;
+import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
@@ -70,6 +72,7 @@ final class Acts {
       case "wish" -> wish(act);
       case "refrain" -> refrain(act.part(0));
       case "whenever" -> whenever(act.part(0), act.part(1));
+      case "act-whenever" -> actWhenever(act.part(0), act.part(1));
       case "timed" -> timed(act.part(0), act.part(1));
       case "tell" -> tell(act.part(0));
       case "nevermind" -> Optional.of(cancel("question"));
@@ -90,15 +93,19 @@ final class Acts {
       return Optional.empty();
     }
     return new Acts(situation.spokenBy(name.text()), references, idle)
-        .command(withOwn(act.part(1)));
+        .command(withOwn(act.part(1), name));
   }
 
-  /** What somebody wishes as his is his own. */
-  private static Form withOwn(Form said) {
+  /** What somebody wishes as his is his own, and what for him is for himself. */
+  private static Form withOwn(Form said, Term.Name wishing) {
     if (said.is("of") && said.part(0).is("him")) {
-      return Form.of("of", Form.leaf("speaker"), withOwn(said.part(1)));
+      return Form.of("of", Form.leaf("speaker"), withOwn(said.part(1), wishing));
     }
-    return new Form(said.head(), said.parts().stream().map(Acts::withOwn).toList());
+    if (said.is("him")) {
+      return Form.of("np", Form.leaf("the"), Form.of("name", Form.leaf(wishing.text())));
+    }
+    return new Form(
+        said.head(), said.parts().stream().map(part -> withOwn(part, wishing)).toList());
   }
 
   /** The message of a command. */
@@ -119,10 +126,15 @@ final class Acts {
   }
 
   /** A place that is said at the end is that of the first thing that was said. */
-  private static Form located(Form verb, Form where) {
+  private Form located(Form verb, Form where) {
     List<Form> parts = new ArrayList<>(verb.parts());
+    Optional<Construction> construction =
+        verb.is("frame") ? Optional.of(frames.construction(verb)) : Optional.empty();
     for (int i = 0; i < parts.size(); i++) {
       Form part = parts.get(i);
+      if (part.is("role") && !mayBeSomewhere(construction, part.text(0))) {
+        continue;
+      }
       Form placed =
           part.is("role")
               ? Form.of("role", part.part(0), NounPhrases.placed(part.part(1), where))
@@ -132,7 +144,39 @@ final class Acts {
         return new Form(verb.head(), parts);
       }
     }
-    return Form.of("nowhere");
+    return construction
+        .flatMap(one -> withUnsaid(one, verb, where))
+        .orElseGet(() -> Form.of("nowhere"));
+  }
+
+  private boolean mayBeSomewhere(Optional<Construction> construction, String role) {
+    return construction.stream()
+        .flatMap(one -> one.roles().stream())
+        .filter(one -> one.name().equals(role))
+        .allMatch(one -> references.phrases().relations().mayBeSomewhere(one.type()));
+  }
+
+  /** What is played is nowhere; what plays it is there. */
+  private Optional<Form> withUnsaid(Construction construction, Form verb, Form where) {
+    return construction.roles().stream()
+        .filter(role -> situation.home().vocabulary().classes().containsKey(role.type()))
+        .filter(role -> mayBeSomewhere(Optional.of(construction), role.name()))
+        .filter(
+            role ->
+                verb.parts().stream()
+                    .noneMatch(part -> part.is("role") && part.text(0).equals(role.name())))
+        .findFirst()
+        .map(
+            role -> {
+              List<Form> parts = new ArrayList<>(verb.parts());
+              Form kind = Form.of("noun", Form.leaf(role.type()));
+              parts.add(
+                  Form.of(
+                      "role",
+                      Form.leaf(role.name()),
+                      Form.of("np", Form.leaf("the"), Form.of("at", kind, where))));
+              return new Form(verb.head(), parts);
+            });
   }
 
   private Optional<Formula> formula(Form verb) {
@@ -256,7 +300,16 @@ final class Acts {
 
   private Optional<Content> whenever(Form condition, Form act) {
     Optional<Formula> when = condition(condition);
+    return whenever(when, message(act));
+  }
+
+  /** What is said first is what may be spoken of later. */
+  private Optional<Content> actWhenever(Form act, Form condition) {
     Optional<Content> then = message(act);
+    return whenever(condition(condition), then);
+  }
+
+  private static Optional<Content> whenever(Optional<Formula> when, Optional<Content> then) {
     if (when.isEmpty() || then.isEmpty()) {
       return Optional.empty();
     }
@@ -275,6 +328,8 @@ final class Acts {
         return states.holding(condition.part(0), condition.part(1));
       case "happens":
         return frames.holding(condition.part(0));
+      case "there":
+        return there(condition.part(0));
       case "compares":
         return measures.compared(
             condition.part(0),
@@ -286,7 +341,23 @@ final class Acts {
     }
   }
 
+  /** That there is something of which more is said than its kind. */
+  private Optional<Formula> there(Form phrase) {
+    if (references.phrases().resolve(phrase, "") instanceof Reference.Any any
+        && !any.conditions().isEmpty()) {
+      return Optional.of(
+          new Formula.Exists(List.of(any.variable()), References.conjunction(any.conditions())));
+    }
+    references.die();
+    return Optional.empty();
+  }
+
   private Optional<Content> timed(Form when, Form act) {
+    if (isOfTheClock(when) && act.is("timed") && isOfTheClock(act.part(0))) {
+      // Nothing begins at two times of the day.
+      references.die();
+      return Optional.empty();
+    }
     Optional<Content> then = message(act);
     if (then.isEmpty()) {
       return then;
@@ -294,9 +365,9 @@ final class Acts {
     Content.Argument nested = new Content.Argument.Nested(then.get());
     switch (when.head()) {
       case "at":
-        return at(when.part(0), Optional.empty(), nested);
+        return clock(when.part(0)).map(minute -> new Content("at", List.of(minute, nested)));
       case "every":
-        return at(when.part(1), Optional.of(when.text(0)), nested);
+        return everyDay(when.part(1), when.text(0), nested);
       case "after":
         return Optional.of(new Content("after", List.of(seconds(when.part(0)), nested)));
       case "tomorrow":
@@ -325,19 +396,25 @@ final class Acts {
     }
   }
 
-  private Optional<Content> at(Form clock, Optional<String> every, Content.Argument nested) {
-    return clock(clock)
-        .map(
-            minute -> {
-              List<Content.Argument> arguments = new ArrayList<>(List.of(minute));
-              every.ifPresent(
-                  day ->
-                      arguments.add(
-                          new Content.Argument.Named(
-                              "every", List.of(new Content.Argument.OfTerm(new Term.Name(day))))));
-              arguments.add(nested);
-              return new Content("at", arguments);
-            });
+  private static boolean isOfTheClock(Form when) {
+    return when.is("at") || when.is("every") || when.is("tomorrow");
+  }
+
+  /** Of two times that are called the same that of the morning is meant, whenever it is said. */
+  private Optional<Content> everyDay(Form clock, String day, Content.Argument nested) {
+    OptionalInt minute = Values.minuteOfTomorrow(clock);
+    if (minute.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Content(
+            "at",
+            List.of(
+                new Content.Argument.OfTerm(new Term.Number(minute.getAsInt())),
+                new Content.Argument.Named(
+                    "every", List.of(new Content.Argument.OfTerm(new Term.Name(day)))),
+                nested)));
   }
 
   /** A time of the next day is so long after now. */
@@ -373,7 +450,9 @@ final class Acts {
       references.wishing();
       return frames.message(clause);
     }
-    if (clause.is("be") && (clause.part(0).is("somebody") || clause.part(0).is("nobody"))) {
+    boolean isOfNobody =
+        clause.parts().stream().anyMatch(part -> part.is("somebody") || part.is("nobody"));
+    if (clause.is("be") && isOfNobody) {
       references.die();
       return Optional.empty();
     }

@@ -10,6 +10,7 @@ import org.maestro.language.reference.Situation;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Content;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
@@ -70,6 +71,14 @@ final class Confirmed {
   private boolean isSo(Pattern pattern, Formula said) {
     if (pattern.formula() instanceof Formula.Not one && said instanceof Formula.Not other) {
       return isSo(new Pattern(one.operand(), pattern.classes()), other.operand());
+    }
+    if (pattern.formula() instanceof Formula.Comparison one
+        && one.left() instanceof Expression.Fluent expected) {
+      // However much it is to be.
+      return said instanceof Formula.Comparison other
+          && other.left() instanceof Expression.Fluent fluent
+          && expected.name().equals(fluent.name())
+          && fits(expected.arguments(), fluent.arguments(), pattern.classes());
     }
     return pattern.formula() instanceof Formula.Atom one
         && said instanceof Formula.Atom other

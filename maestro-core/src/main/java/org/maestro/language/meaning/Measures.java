@@ -1,5 +1,7 @@
 package org.maestro.language.meaning;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -21,6 +23,9 @@ import org.maestro.sl.Term;
 /** Numbers that are set, raised, lowered and asked for. Bound to one reading. */
 final class Measures {
   private static final double HUNDRED = 100;
+  private static final String CELSIUS = "DEG_C";
+  private static final String KELVIN = "K";
+  private static final String FAHRENHEIT = "DEG_F";
   private static final double MORE_THAN_BEFORE = 1.5;
   private static final double ROUNDED = 1e9;
 
@@ -189,7 +194,7 @@ final class Measures {
       case "number" -> Optional.of(scaled(of, numeric(amount)));
       case "percent" -> Optional.of(rounded(numeric(amount) * whole.orElse(HUNDRED) / HUNDRED));
       case "points" -> Optional.of(scaled(of, numeric(amount)));
-      case "quantity" -> Optional.of(numeric(amount));
+      case "quantity" -> Optional.of(rounded(inCelsius(amount)));
       case "most" -> whole.isPresent() ? Optional.of(whole.getAsDouble()) : Optional.empty();
       case "least" -> Optional.of(of.fluent().least().orElse(0));
       default -> Optional.empty();
@@ -204,13 +209,19 @@ final class Measures {
         : number;
   }
 
+  private static double inCelsius(Form amount) {
+    return amount.text(1).equals(FAHRENHEIT)
+        ? Math.round((numeric(amount) - 32) / 1.8 * 10) / 10.0
+        : numeric(amount);
+  }
+
   private double step(Of of, Form by, OptionalDouble now) {
     Measure measure = measure(of);
     double step = measure.step().orElse(measure.whole().orElse(10) / 10);
     return switch (by.head()) {
       case "percent" -> now.orElse(0) * numeric(by) / HUNDRED;
       case "number", "points" -> scaled(of, numeric(by));
-      case "quantity" -> numeric(by);
+      case "quantity" -> by.text(1).equals(FAHRENHEIT) ? numeric(by) / 1.8 : numeric(by);
       case "much" -> 2 * step;
       default -> step;
     };
@@ -228,7 +239,8 @@ final class Measures {
   }
 
   private static double numeric(Form amount) {
-    return Double.parseDouble(amount.text(0));
+    double half = amount.parts().size() > 2 ? Double.parseDouble(amount.text(2)) : 0;
+    return Double.parseDouble(amount.text(0)) + half;
   }
 
   /**
@@ -246,8 +258,12 @@ final class Measures {
       references.doubt(new Doubt.NoSuch(none.said()));
       return Optional.empty();
     }
-    List<PredicateDeclaration> fluents = fluents(isNamed ? named : Form.HOLE, amount);
+    List<PredicateDeclaration> fluents =
+        set
+            ? fluents(isNamed ? named : Form.HOLE, amount)
+            : measuredFirst(fluents(isNamed ? named : Form.HOLE, amount));
     Optional<Of> broken = Optional.empty();
+    List<Of> thereabouts = new ArrayList<>();
     for (boolean around : new boolean[] {false, true}) {
       for (PredicateDeclaration fluent : fluents) {
         Reference found = whose(fluent, whose, around);
@@ -258,23 +274,44 @@ final class Measures {
           continue;
         }
         Of of = new Of(fluent, reference);
+        if (!isNamed && value(of, amount).filter(value -> !mayBe(of, value)).isPresent()) {
+          continue;
+        }
+        if (!isNamed && around && !(reference instanceof Reference.None)) {
+          thereabouts.add(of);
+          continue;
+        }
         if (!(reference instanceof Reference.None)) {
           return Optional.of(of);
         }
         broken = broken.or(() -> Optional.of(of));
       }
     }
-    if (broken.isEmpty()) {
+    if (thereabouts.size() == 1) {
+      return Optional.of(thereabouts.get(0));
+    }
+    if (broken.isEmpty() || !thereabouts.isEmpty()) {
+      // Of several things in a room a number may be meant, of the hob as well as of the light.
       references.die();
+      return Optional.empty();
     }
     return broken;
+  }
+
+  private boolean mayBe(Of of, double value) {
+    return value >= of.fluent().least().orElse(-Double.MAX_VALUE)
+        && value <= measure(of).whole().orElse(Double.MAX_VALUE);
   }
 
   private List<PredicateDeclaration> fluents(Form named, Form amount) {
     Stream<String> names =
         named.is("_")
             ? situation.home().wording().measures().entrySet().stream()
-                .filter(entry -> entry.getValue().whole().isPresent() || amount.is("quantity"))
+                .filter(
+                    entry ->
+                        entry.getValue().whole().isPresent()
+                            || amount.is("quantity")
+                            || amount.is("number") && isTemperature(entry.getKey()))
                 .map(Map.Entry::getKey)
             : named.parts().stream().map(Form::head);
     return names
@@ -285,11 +322,29 @@ final class Measures {
         .toList();
   }
 
+  /** Of these people say the number alone. */
+  private boolean isTemperature(String fluent) {
+    return vocabulary
+        .predicate(fluent)
+        .flatMap(PredicateDeclaration::unit)
+        .filter(unit -> unit.equals(CELSIUS) || unit.equals(KELVIN))
+        .isPresent();
+  }
+
+  /** Who asks wants to know how it is rather than how it is to be. */
+  private static List<PredicateDeclaration> measuredFirst(List<PredicateDeclaration> fluents) {
+    return fluents.stream().sorted(Comparator.comparing(fluent -> !fluent.observable())).toList();
+  }
+
   private static boolean isIn(PredicateDeclaration fluent, String unit) {
-    return fluent.unit().isEmpty()
-        || fluent.unit().get().equals(unit)
-        || fluent.unit().get().equals("K") && unit.equals("DEG_C")
-        || fluent.unit().get().startsWith(unit);
+    return fluent.unit().isPresent()
+            && unit.equals(FAHRENHEIT)
+            && fluent.unit().get().equals(CELSIUS)
+        || fluent.unit().isPresent() && isIn(fluent.unit().get(), unit);
+  }
+
+  private static boolean isIn(String own, String unit) {
+    return own.equals(unit) || own.equals(KELVIN) && unit.equals(CELSIUS) || own.startsWith(unit);
   }
 
   private Reference whose(PredicateDeclaration fluent, Form whose, boolean around) {

@@ -50,6 +50,7 @@ final class Questions {
       case "count" -> described(nominal(act.part(0)), act.part(1)).map(this::counted);
       case "where" -> where(act.part(0));
       case "value" -> value(act.part(0));
+      case "attribute" -> attribute(act.part(0), act.part(1));
       case "did" -> history(act.part(0));
       case "why" -> why(act);
       default -> new Doings(situation, references).message(act);
@@ -57,7 +58,7 @@ final class Questions {
   }
 
   private Optional<Formula> asked(Form clause) {
-    if (clause.is("happens")) {
+    if (clause.is("happens") || clause.is("compares")) {
       return acts.condition(clause);
     }
     if (!clause.is("compare") && !clause.is("comparewith")) {
@@ -178,6 +179,25 @@ final class Questions {
                                 new Content.Argument.OfFormula(
                                     new Formula.Atom(fluent.name(), fluent.arguments())))))
                 .toList()));
+  }
+
+  /** What something is like: its colour, its genre. */
+  private Optional<Content> attribute(Form attribute, Form phrase) {
+    for (Form name : attribute.parts()) {
+      Optional<PredicateDeclaration> predicate =
+          situation.home().vocabulary().predicate(name.head());
+      if (predicate.isEmpty()) {
+        continue;
+      }
+      Reference of = references.phrases().resolve(phrase, Relations.typeOf(predicate.get(), 0));
+      if (!(of instanceof Reference.Mistyped)) {
+        return references
+            .over(of, term -> Optional.of(new Formula.Atom(name.head(), List.of(term, VARIABLE))))
+            .map(formula -> content("query-ref", formula));
+      }
+    }
+    references.die();
+    return Optional.empty();
   }
 
   private Optional<Content> history(Form verb) {

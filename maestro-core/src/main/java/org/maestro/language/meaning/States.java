@@ -1,5 +1,6 @@
 package org.maestro.language.meaning;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -61,6 +62,7 @@ final class States {
 
   private Optional<Formula> inState(Form thing, Form state, Spelled spelled) {
     Optional<Reference> broken = Optional.empty();
+    List<Formula> ofEachKind = new ArrayList<>();
     for (StateWord word : situation.home().wording().states()) {
       if (!state.parts().contains(Form.leaf(word.name()))) {
         continue;
@@ -80,9 +82,22 @@ final class States {
         broken = broken.isPresent() ? broken : Optional.of(reference);
         continue;
       }
-      return references.over(
-          reference,
-          term -> Optional.of(References.substituted(formula.get(), Map.of("it", term))));
+      Optional<Formula> said =
+          references.over(
+              reference,
+              term -> Optional.of(References.substituted(formula.get(), Map.of("it", term))));
+      if (!isOfAnyKind(thing) || said.isEmpty()) {
+        return said;
+      }
+      ofEachKind.add(said.get());
+    }
+    if (!ofEachKind.isEmpty()) {
+      return Optional.of(
+          ofEachKind.size() == 1
+              ? ofEachKind.get(0)
+              : isEverything(thing)
+                  ? References.conjunction(ofEachKind)
+                  : new Formula.Or(ofEachKind));
     }
     if (broken.isPresent()) {
       references.over(broken.get(), term -> Optional.empty());
@@ -90,6 +105,18 @@ final class States {
       references.die();
     }
     return Optional.empty();
+  }
+
+  /** Whether it is said of whatever may be so: of lamps, and of all else that may be on. */
+  private static boolean isOfAnyKind(Form thing) {
+    return isEverything(thing)
+        || thing.is("any")
+        || thing.is("np") && thing.text(0).equals("a") && isOfAnyKind(thing.part(1))
+        || (thing.is("at") || thing.is("placed")) && isOfAnyKind(thing.part(0));
+  }
+
+  private static boolean isEverything(Form thing) {
+    return thing.is("everything") || thing.is("placed") && isEverything(thing.part(0));
   }
 
   private Reference place(Form where, StateWord word) {
@@ -109,7 +136,9 @@ final class States {
   Optional<Formula> at(Form thing, Form where) {
     if (where.is("here") || where.is("there") || where.is("home")) {
       Optional<Term> place =
-          where.is("here") ? situation.here().map(Term.Name::new) : Optional.empty();
+          where.is("here")
+              ? situation.here().map(Term.Name::new)
+              : where.is("there") ? references.phrases().lastPlace() : Optional.empty();
       return place.flatMap(term -> related(thing, places(), new Reference.Single(term)));
     }
     if (!where.is("rel")) {

@@ -16,7 +16,7 @@ import org.maestro.sl.Term;
  * @param placed whether it is said where they are
  * @param everywhere whether it is said that wherever is meant
  * @param supposed whether it is only supposed, as nobody knows otherwise
- * @param nth of several, from 1 on, the last by -1; 0 when it is not said
+ * @param choice which of several is meant
  */
 record Description(
     List<Term.Name> named,
@@ -26,7 +26,7 @@ record Description(
     boolean placed,
     boolean everywhere,
     boolean supposed,
-    int nth) {
+    Choice choice) {
   /** The variable of conditions. */
   static final String IT = "x";
 
@@ -44,7 +44,8 @@ record Description(
   }
 
   static Description ofClass(String name) {
-    return new Description(List.of(), name, List.of(), List.of(), false, false, false, 0);
+    return new Description(
+        List.of(), name, List.of(), List.of(), false, false, false, Choice.UNSAID);
   }
 
   static Description ofNames(Form names) {
@@ -56,38 +57,46 @@ record Description(
         false,
         false,
         false,
-        0);
+        Choice.UNSAID);
   }
 
   Description with(Formula condition) {
     return new Description(
-        named, className, added(conditions, condition), tests, placed, everywhere, supposed, nth);
+        named,
+        className,
+        added(conditions, condition),
+        tests,
+        placed,
+        everywhere,
+        supposed,
+        choice);
   }
 
   Description with(Test test) {
     return new Description(
-        named, className, conditions, added(tests, test), placed, everywhere, supposed, nth);
+        named, className, conditions, added(tests, test), placed, everywhere, supposed, choice);
   }
 
   Description placedSomewhere() {
-    return new Description(named, className, conditions, tests, true, everywhere, supposed, nth);
+    return new Description(named, className, conditions, tests, true, everywhere, supposed, choice);
   }
 
   Description anywhere() {
-    return new Description(named, className, conditions, tests, true, true, supposed, nth);
+    return new Description(named, className, conditions, tests, true, true, supposed, choice);
   }
 
   Description unconditional() {
-    return new Description(named, className, List.of(), tests, placed, everywhere, supposed, nth);
+    return new Description(
+        named, className, List.of(), tests, placed, everywhere, supposed, choice);
   }
 
   Description supposing() {
-    return new Description(named, className, conditions, tests, true, everywhere, true, nth);
+    return new Description(named, className, conditions, tests, true, everywhere, true, choice);
   }
 
-  Description ordinal(int number) {
+  Description choosing(Choice which) {
     return new Description(
-        named, className, conditions, tests, placed, everywhere, supposed, number);
+        named, className, conditions, tests, placed, everywhere, supposed, which);
   }
 
   private static <T> List<T> added(List<T> list, T one) {

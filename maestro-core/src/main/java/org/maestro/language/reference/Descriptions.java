@@ -41,7 +41,10 @@ final class Descriptions {
       case "at" -> of(nominal.part(0)).flatMap(head -> placed(head, nominal.part(1)));
       case "beside", "of" -> of(nominal.part(1)).flatMap(head -> owned(head, nominal.part(0)));
       case "nth" ->
-          of(nominal.part(1)).map(head -> head.ordinal(NounPhrases.wholeNumber(nominal.text(0))));
+          of(nominal.part(1))
+              .map(head -> head.choosing(new Choice.Nth(NounPhrases.wholeNumber(nominal.text(0)))));
+      case "extreme" -> of(nominal.part(1)).map(head -> head.choosing(extreme(nominal.part(0))));
+      case "around" -> of(nominal.part(1)).flatMap(head -> around(head, nominal.part(0)));
       case "other" -> of(nominal.part(0)).map(this::other);
       case "_" -> Optional.of(Description.ofClass(""));
       default -> Optional.empty();
@@ -85,6 +88,18 @@ final class Descriptions {
     return new Formula.Atom(adjective.text(0), List.of(Description.VARIABLE, value));
   }
 
+  private static Choice extreme(Form measures) {
+    return new Choice.Extreme(
+        measures.parts().stream().map(Form::head).toList(), measures.is("more"));
+  }
+
+  /** The place in which something is. */
+  private Optional<Description> around(Description head, Form phrase) {
+    return phrases.resolve(phrase, "") instanceof Reference.Single single
+        ? Optional.of(head.with(candidate -> relations.isIn(single.term(), candidate)))
+        : Optional.empty();
+  }
+
   private Optional<Description> inState(Description head, Form state) {
     if (state.is("not")) {
       return inStates(head, state.part(0)).map(holds -> head.with(new Formula.Not(holds)));
@@ -124,6 +139,8 @@ final class Descriptions {
         return Optional.of(head.anywhere());
       case "either":
         return either(head, where);
+      case "where":
+        return whereIs(head, where.part(0));
       case "from":
         return from(head, where.part(0));
       case "rel":
@@ -131,6 +148,25 @@ final class Descriptions {
       default:
         return Optional.of(head);
     }
+  }
+
+  /** In the same place as something else. */
+  private Optional<Description> whereIs(Description head, Form phrase) {
+    if (!(phrases.resolve(phrase, "") instanceof Reference.Single single)) {
+      return Optional.empty();
+    }
+    List<Term> places =
+        relations.ofPlaces().stream()
+            .map(predicate -> Relations.typeOf(predicate, 1))
+            .distinct()
+            .flatMap(type -> situation.facts().individuals(type).stream())
+            .filter(place -> relations.isIn(single.term(), place))
+            .<Term>map(place -> place)
+            .distinct()
+            .toList();
+    return places.size() == 1
+        ? Optional.of(within(head, places.get(0)).placedSomewhere())
+        : Optional.empty();
   }
 
   private Optional<Description> either(Description head, Form where) {
@@ -169,6 +205,8 @@ final class Descriptions {
                     predicate ->
                         head.named().isEmpty()
                             ? relations.fits(predicate, 0, head.className())
+                                && (!Relations.typeOf(predicate, 0).isEmpty()
+                                    || relations.mayBeSomewhere(head.className()))
                             : head.named().stream()
                                 .anyMatch(name -> relations.fits(predicate, 0, name)))
                 .toList());

@@ -28,6 +28,7 @@ public final class NounPhrases {
   private final Relations relations;
   private final Candidates candidates;
   private final Surroundings surroundings;
+  private final Choosing choosing;
   private final Descriptions descriptions;
   private final Set<Term.Name> mentioned = new LinkedHashSet<>();
   private final Set<String> kinds = new LinkedHashSet<>();
@@ -45,6 +46,7 @@ public final class NounPhrases {
     this.relations = new Relations(situation);
     this.candidates = new Candidates(situation, relations);
     this.surroundings = new Surroundings(situation, relations);
+    this.choosing = new Choosing(situation, relations, surroundings);
     this.descriptions = new Descriptions(situation, relations, this);
   }
 
@@ -53,6 +55,7 @@ public final class NounPhrases {
     this.relations = others.relations;
     this.candidates = others.candidates;
     this.surroundings = others.surroundings;
+    this.choosing = others.choosing;
     this.descriptions = new Descriptions(situation, relations, this);
   }
 
@@ -201,8 +204,11 @@ public final class NounPhrases {
   }
 
   /** The place spoken of last. */
-  Optional<Term> lastPlace() {
-    return situation.discourse().things().stream()
+  public Optional<Term> lastPlace() {
+    List<Term.Name> spoken = new ArrayList<>(mentioned);
+    Collections.reverse(spoken);
+    spoken.addAll(situation.discourse().things());
+    return spoken.stream()
         .filter(
             name ->
                 relations.ofPlaces().stream()
@@ -464,13 +470,11 @@ public final class NounPhrases {
   private Reference definite(Description description, Form phrase, List<Term.Name> candidates) {
     // Nobody calls himself the person.
     List<Term.Name> ordered = candidates.size() > 1 ? withoutSpeaker(candidates) : candidates;
-    if (description.nth() != 0) {
-      List<Term.Name> here = description.placed() ? List.of() : surroundings.here(ordered);
-      List<Term.Name> among = here.isEmpty() ? ordered : here;
-      int index = description.nth() < 0 ? among.size() - 1 : description.nth() - 1;
-      return index >= 0 && index < among.size()
-          ? single(among.get(index))
-          : new Reference.None(phrase);
+    if (description.choice() != Choice.UNSAID) {
+      List<Term.Name> chosen = choosing.chosen(description, ordered);
+      return chosen.isEmpty()
+          ? new Reference.None(phrase)
+          : chosen.size() == 1 ? single(chosen.get(0)) : new Reference.Open(phrase, chosen);
     }
     if (ordered.size() == 1) {
       return single(ordered.get(0));
@@ -510,6 +514,10 @@ public final class NounPhrases {
 
   private Reference all(
       Description description, String className, Form phrase, List<Term.Name> candidates) {
+    if (description.choice() != Choice.UNSAID) {
+      // Of all every second one, or the brightest ones: which these are nobody can tell.
+      return new Reference.None(phrase);
+    }
     if (description.everywhere()
         && description.tests().isEmpty()
         && description.named().isEmpty()) {
@@ -605,6 +613,7 @@ public final class NounPhrases {
     return descriptions
         .of(whole)
         .filter(description -> description.tests().isEmpty())
+        .flatMap(this::withChoice)
         .map(
             description -> {
               Substitution named =
@@ -614,6 +623,15 @@ public final class NounPhrases {
                   description.named(),
                   description.conditions().stream().map(named::apply).toList());
             });
+  }
+
+  /** Which of them is meant is one condition more. */
+  private Optional<Description> withChoice(Description description) {
+    return description.choice() instanceof Choice.Extreme extreme
+        ? choosing
+            .condition(extreme, description.className(), description.conditions())
+            .map(description::with)
+        : Optional.of(description);
   }
 
   private static String placeOrState(Form where) {

@@ -35,6 +35,9 @@ public final class Relations {
   /** The properties by which a home says where something is. */
   private static final Set<String> POSITIONS = Set.of("pose", "position");
 
+  /** So many tell whether others like them stand somewhere. */
+  private static final int FEW = 4;
+
   private final Home home;
   private final Vocabulary vocabulary;
   private final Facts facts;
@@ -79,10 +82,16 @@ public final class Relations {
         vocabulary
             .predicate(entry.getKey())
             .filter(predicate -> predicate.parameters().size() == 2)
-            .ifPresent(found::add);
+            .ifPresent(
+                // What is called so first of all is meant first.
+                one -> found.add(isFirst(entry.getValue(), words) ? 0 : found.size(), one));
       }
     }
     return found;
+  }
+
+  private static boolean isFirst(List<Said> said, Set<String> words) {
+    return words.contains(said.get(0).text());
   }
 
   private List<Said> prepositions(String predicate) {
@@ -164,6 +173,19 @@ public final class Relations {
       }
     }
     return false;
+  }
+
+  /** Whether what is of the class may be in a place at all; of no class anything may. */
+  public boolean mayBeSomewhere(String className) {
+    return !vocabulary.classes().containsKey(className)
+        || ofPlaces.stream()
+            .anyMatch(
+                predicate ->
+                    typeOf(predicate, 0).isEmpty()
+                        ? facts.individuals(className).stream()
+                            .limit(FEW)
+                            .anyMatch(this::isPlaceable)
+                        : fits(predicate, 0, className));
   }
 
   /** Whether the home says where it is. */

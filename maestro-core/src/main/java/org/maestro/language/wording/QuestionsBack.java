@@ -50,9 +50,7 @@ public final class QuestionsBack {
     } else if (doubt instanceof Doubt.Missing missing) {
       return missing(missing);
     } else if (doubt instanceof Doubt.NoSuch none) {
-      return isPronoun(none.said())
-          ? grammar.phrase("none-meant")
-          : phrases.of("none", Map.of("what", named(none.said())));
+      return none(none.said());
     } else if (doubt instanceof Doubt.NotKnown unknown) {
       return phrases.of(
           "not-known",
@@ -209,6 +207,27 @@ public final class QuestionsBack {
     return new Evaluation(situation.facts())
             .truth(new Formula.Atom(predicate, List.of(thing, place)), Map.of())
         == Truth.TRUE;
+  }
+
+  private String none(Form said) {
+    if (said.is("speaker")) {
+      return grammar.phrase("no-speaker");
+    }
+    if (said.is("self")) {
+      return grammar.phrase("no-robot");
+    }
+    String named = named(said);
+    boolean isUnnamed =
+        isPronoun(said)
+            || named.isBlank()
+            || named.startsWith(" ")
+            || isOfSuchAKind(said) && latestKind().isEmpty();
+    return isUnnamed ? grammar.phrase("none-meant") : phrases.of("none", Map.of("what", named));
+  }
+
+  /** Whether it is one of a kind that was to be spoken of before. */
+  private static boolean isOfSuchAKind(Form form) {
+    return form.is("one") || form.parts().stream().anyMatch(QuestionsBack::isOfSuchAKind);
   }
 
   private static boolean isPronoun(Form form) {

@@ -78,7 +78,7 @@ class GrammarReaderTest {
         .containsExactly("Act [go, the]", "Act [go]", "Act [run, the]", "Act [run]");
     assertThat(rules("Act = Cat/Dog? now"))
         .containsExactly("Act [Cat, now]", "Act [Dog, now]", "Act [now]");
-    assertThat(rules("Act = a_b")).containsExactly("Act [a b]");
+    assertThat(rules("Act = a_b/c")).containsExactly("Act [a, b]", "Act [c]");
   }
 
   @Test

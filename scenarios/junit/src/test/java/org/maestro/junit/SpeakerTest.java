@@ -35,7 +35,11 @@ class SpeakerTest {
   @Test
   void eachPersonHasOneConversation(Stage stage) {
     stage.speaker("Dave").in("kitchen").says("turn on the kitchen lamp").isReached();
-    stage.speaker("Rose").in("kitchen").says("turn it off").asks("I know no such thing.");
+    stage
+        .speaker("Rose")
+        .in("kitchen")
+        .says("turn it off")
+        .asks("I do not know what you mean by that.");
 
     stage
         .speaker("Dave")

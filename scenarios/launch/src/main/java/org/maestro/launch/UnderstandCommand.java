@@ -75,17 +75,26 @@ final class UnderstandCommand implements Callable<Integer> {
   @Option(names = "--words", description = "Show after each word what could still be meant.")
   private boolean wordByWord;
 
+  @Option(
+      names = "--unused",
+      description = "Show at the end which rules of the grammar none of the utterances uses.")
+  private boolean unused;
+
   @Option(names = "--json", description = "Print one JSON document a line.")
   private boolean json;
 
   @Override
   public Integer call() {
+    if (unused && json) {
+      throw CommandException.badInput("--unused prints no JSON; leave --json away.");
+    }
     if (words.isPresent() == file.isPresent()) {
       throw CommandException.badInput("Give words in quotes, or --file, not both.");
     }
     Home there = Shipped.home(home);
     Facts facts = SceneFacts.of(there, scene.map(name -> Shipped.scene(name, there)));
     UnderstoodText text = new UnderstoodText();
+    UsedRules rules = new UsedRules();
     PrintWriter out = spec.commandLine().getOut();
     List<String> lines =
         file.map(UnderstandCommand::lines).orElseGet(() -> List.of(words.orElseThrow()));
@@ -113,6 +122,9 @@ final class UnderstandCommand implements Callable<Integer> {
       Understanding understood = language.understand(columns[0], situation);
       double microseconds =
           (System.nanoTime() - begun) / 1e3 / Math.max(1, understood.heard().size());
+      if (unused) {
+        rules.note(language, columns[0], situation);
+      }
       Optional<String> refusal = language.refusal(understood, situation);
       if (wordByWord) {
         text.narrowing(language, columns[0], situation, out);
@@ -127,6 +139,7 @@ final class UnderstandCommand implements Callable<Integer> {
         refusal.ifPresent(sentence -> out.println("  tells  " + sentence));
       }
     }
+    rules.print(out);
     return ExitCode.DONE;
   }
 

@@ -13,6 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,6 +22,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Words are understood in the evening's house, from the command line. */
 class UnderstandCommandTest {
+  private static final Pattern USED =
+      Pattern.compile("rules of the grammar en are used .*\\((\\d+) %\\)");
+
   private static final ObjectMapper JSON = new ObjectMapper();
 
   @TempDir Path directory;
@@ -48,7 +53,7 @@ class UnderstandCommandTest {
    * A line each: utterance, speaker, room, what was said before, and the message or the question.
    */
   @ParameterizedTest
-  @ValueSource(strings = {"evening.tsv", "wordings.tsv"})
+  @ValueSource(strings = {"evening.tsv", "wordings.tsv", "rules.tsv"})
   void eachUtteranceOfTheListMeansWhatStandsBesideIt(String list) throws IOException {
     List<String> lines = new ArrayList<>();
     List<String> expected = new ArrayList<>();
@@ -69,6 +74,29 @@ class UnderstandCommandTest {
       understood.add(one.path("utterance").asText() + " => " + meantOrAsked(one));
     }
     assertThat(understood).containsExactlyElementsOf(expected);
+  }
+
+  /** Which rules nobody has tried is told, so that who writes a grammar can. */
+  @Test
+  void mostRulesOfTheGrammarAreTriedByTheLists() throws IOException {
+    String all = resource("evening.tsv") + resource("wordings.tsv") + resource("rules.tsv");
+    Path file = Files.writeString(directory.resolve("all.tsv"), all);
+
+    String printed =
+        Printed.by(
+            "understand",
+            "--scene",
+            "evening",
+            "--to",
+            "rob",
+            "--unused",
+            "--file",
+            file.toString());
+
+    Matcher share = USED.matcher(printed);
+    assertThat(share.find()).as(printed).isTrue();
+    assertThat(Integer.parseInt(share.group(1))).isGreaterThanOrEqualTo(70);
+    assertThat(printed).contains("unused, line ").doesNotContain(": Act = Can you Vp");
   }
 
   private static String meantOrAsked(JsonNode document) {
