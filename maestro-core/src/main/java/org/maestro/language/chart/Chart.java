@@ -167,10 +167,19 @@ public final class Chart {
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }
 
-  /** The readings in which a form of this head was begun last, and is not whole. */
+  /**
+   * The readings in which a form of this head was begun last, and is not whole; not those of which
+   * nothing but a few words of the rule was said, and a word lacks next.
+   */
   public List<Reading> begun(String head) {
     List<Reading> found = new ArrayList<>();
-    begun(derivation -> derivation.form().is(head), form -> true, found);
+    begun(
+        derivation ->
+            derivation.form().is(head)
+                && (derivation.awaited() instanceof Symbol.Category
+                    || derivation.isOfMoreThanWords()),
+        form -> true,
+        found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }
 

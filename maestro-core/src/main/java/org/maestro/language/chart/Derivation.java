@@ -28,6 +28,11 @@ record Derivation(Rule rule, int dot, int origin, Optional<Heard> heard, int pen
     return dot == rule.symbols().size();
   }
 
+  /** Whether more was heard of it than words that it names. */
+  boolean isOfMoreThanWords() {
+    return rule.symbols().subList(0, dot).stream().anyMatch(Symbol.Category.class::isInstance);
+  }
+
   Symbol awaited() {
     return rule.symbols().get(dot);
   }

@@ -119,6 +119,11 @@ final class Acts {
       case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
+      case "keepcompared" ->
+          measures
+              .compared(verb.part(0), relation(verb.part(1)), verb.part(2))
+              .map(Formula.Keep::new)
+              .map(Acts::goal);
       case "hold" ->
           measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       default -> formula(verb).map(Acts::goal);
@@ -331,14 +336,15 @@ final class Acts {
       case "there":
         return there(condition.part(0));
       case "compares":
-        return measures.compared(
-            condition.part(0),
-            condition.part(1).is("over") ? Formula.Relation.GREATER : Formula.Relation.LESS,
-            condition.part(2));
+        return measures.compared(condition.part(0), relation(condition.part(1)), condition.part(2));
       default:
         references.die();
         return Optional.empty();
     }
+  }
+
+  private static Formula.Relation relation(Form said) {
+    return said.is("over") ? Formula.Relation.GREATER : Formula.Relation.LESS;
   }
 
   /** That there is something of which more is said than its kind. */

@@ -1,6 +1,7 @@
 package org.maestro.language.reference;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -44,6 +45,7 @@ final class Descriptions {
           of(nominal.part(1))
               .map(head -> head.choosing(new Choice.Nth(NounPhrases.wholeNumber(nominal.text(0)))));
       case "extreme" -> of(nominal.part(1)).map(head -> head.choosing(extreme(nominal.part(0))));
+      case "either" -> oneOf(nominal.parts());
       case "around" -> of(nominal.part(1)).flatMap(head -> around(head, nominal.part(0)));
       case "other" -> of(nominal.part(0)).map(this::other);
       case "_" -> Optional.of(Description.ofClass(""));
@@ -91,6 +93,31 @@ final class Descriptions {
   private static Choice extreme(Form measures) {
     return new Choice.Extreme(
         measures.parts().stream().map(Form::head).toList(), measures.is("more"));
+  }
+
+  /** Whichever of these things, of the narrowest kind that all of them are of. */
+  private Optional<Description> oneOf(List<Form> options) {
+    List<Term> things = new ArrayList<>();
+    for (Form option : options) {
+      if (!(phrases.resolve(option, "") instanceof Reference.Single single)) {
+        return Optional.empty();
+      }
+      things.add(single.term());
+    }
+    Formula one =
+        new Formula.Or(
+            things.stream()
+                .<Formula>map(
+                    thing ->
+                        new Formula.Comparison(
+                            Formula.Relation.EQUAL,
+                            new Expression.OfTerm(Description.VARIABLE),
+                            new Expression.OfTerm(thing)))
+                .toList());
+    return situation.home().vocabulary().classes().values().stream()
+        .filter(kind -> things.stream().allMatch(thing -> relations.isA(thing, kind.name())))
+        .max(Comparator.comparingInt(kind -> kind.ancestors().size()))
+        .map(kind -> Description.ofClass(kind.name()).with(one));
   }
 
   /** The place in which something is. */

@@ -33,6 +33,19 @@ class SpeakerTest {
   }
 
   @Test
+  void whatHasTheMostAndWhatThingsAreLikeIsTold(Stage stage) {
+    Speaker dave = stage.speaker("Dave").in("kitchen");
+
+    dave.says("turn the kitchen light to 30 percent").isReached();
+    dave.says("which is brighter, the kitchen light or the bedroom light?")
+        .replies("The kitchen light.");
+    dave.says("turn off the brightest lamp")
+        .means("(initCNP (:goal (= (level kitchen-lamp) 0)))")
+        .isReached();
+    dave.says("what color is the red cup?").replies("Red.");
+  }
+
+  @Test
   void eachPersonHasOneConversation(Stage stage) {
     stage.speaker("Dave").in("kitchen").says("turn on the kitchen lamp").isReached();
     stage
