@@ -11,8 +11,14 @@ import org.maestro.rats.member.Execution;
  */
 final class PickTask extends ArmTask {
 
-  PickTask(FeatureContext context) {
+  private final String where;
+
+  /**
+   * @param where the parameter that tells where it is: the object itself, or a container
+   */
+  PickTask(FeatureContext context, String where) {
     super(context);
+    this.where = where;
   }
 
   @Override
@@ -21,11 +27,12 @@ final class PickTask extends ArmTask {
     Position place =
         context()
             .deposits()
-            .position(object)
+            .position(parameters.pointer(where))
             .orElseThrow(
                 () ->
                     new InvalidCallException(
-                        "The pointer object comes without position, so that nobody can grasp it."));
+                        "The pointer %s comes without position, so that nobody can grasp there."
+                            .formatted(where)));
     if (arm().held().isPresent()) {
       execution.fail(
           FeatureContext.unmet(
@@ -67,7 +74,7 @@ final class PickTask extends ArmTask {
     Pointer object = parameters.pointer("object");
     return context()
         .deposits()
-        .position(object)
+        .position(parameters.pointer(where))
         .map(place -> price(reach -> reach.to(place.floor()), arm().pickSeconds(), object.name()))
         .orElseGet(() -> price(arm().pickSeconds()));
   }

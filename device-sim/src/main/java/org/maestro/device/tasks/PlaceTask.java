@@ -15,15 +15,21 @@ import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.RatsError;
 
 /**
- * Puts down what the hand holds, beside a thing, in an area, or on a thing with a top: approach,
- * reach out, let go, fold (Three-layered architecture, 3.2; M29).
+ * Puts down what the hand holds, beside a thing, in an area, on a thing with a top, or into a
+ * container: approach, reach out, let go, fold (Three-layered architecture, 3.2; M29).
  */
 final class PlaceTask extends ArmTask {
 
   private static final String TOP = "topHeight";
 
-  PlaceTask(FeatureContext context) {
+  private final boolean into;
+
+  /**
+   * @param into whether the target is a container, into which the hand reaches
+   */
+  PlaceTask(FeatureContext context, boolean into) {
     super(context);
+    this.into = into;
   }
 
   @Override
@@ -46,7 +52,7 @@ final class PlaceTask extends ArmTask {
             List.of(
                 approach(
                     reach -> ways(target).orElseThrow().apply(reach),
-                    point -> spot.set(new Position(point.x(), point.y(), top(target).orElse(0))),
+                    point -> spot.set(new Position(point.x(), point.y(), height(target).orElse(0))),
                     "Cannot place at " + target.name()),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(chosen(spot), completion)),
@@ -115,14 +121,16 @@ final class PlaceTask extends ArmTask {
         .map(
             place ->
                 reach ->
-                    top(target).isPresent()
+                    height(target).isPresent()
                         ? reach.to(place.floor())
                         : reach.beside(place.floor()));
   }
 
-  /** How high above the floor things stand on the target, if it is one to put things on. */
-  private static OptionalDouble top(Pointer target) {
-    return target.number(TOP);
+  /** How high above the floor things stand on or in the target, if it is one for that. */
+  private OptionalDouble height(Pointer target) {
+    return into
+        ? target.position().map(place -> OptionalDouble.of(place.z())).orElse(OptionalDouble.of(0))
+        : target.number(TOP);
   }
 
   @Override

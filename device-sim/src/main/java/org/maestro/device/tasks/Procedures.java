@@ -34,8 +34,11 @@ public final class Procedures {
     kinds.put("switchOff", new Kind("switching", context -> new SetSwitch(context, false)));
     kinds.put("set", new Kind("switching", SetSettings::new));
     kinds.put("move", new Kind("driving", MoveTask::new));
-    kinds.put("pick", new Kind("arm-in-movement", PickTask::new));
-    kinds.put("place", new Kind("arm-in-movement", PlaceTask::new));
+    kinds.put("pick", new Kind("arm-in-movement", context -> new PickTask(context, "object")));
+    kinds.put(
+        "takeOut", new Kind("arm-in-movement", context -> new PickTask(context, "container")));
+    kinds.put("place", new Kind("arm-in-movement", context -> new PlaceTask(context, false)));
+    kinds.put("putInto", new Kind("arm-in-movement", context -> new PlaceTask(context, true)));
     kinds.put("sweep", new Kind("sweeping", SweepTask::new));
     kinds.put("recharge", new Kind("charging", RechargeTask::new));
   }

@@ -65,7 +65,7 @@ final class Grasp {
 
   private void hold(Body body) {
     World world = actuator.world();
-    world.whereabouts().put(body.heldBy(actuator.device()));
+    world.whereabouts().put(body.hidden(false).heldBy(actuator.device()));
     mistake =
         Optional.of(new Mistake(body.name(), wanted))
             .filter(taken -> !taken.taken().equals(taken.believed()));
@@ -73,9 +73,18 @@ final class Grasp {
   }
 
   private boolean isAtHand(Body thing) {
-    return thing.isInTheOpen()
+    return (thing.isInTheOpen() || isInside(thing))
         && actuator.world().position(thing.name()).orElseThrow().floor().distance(hand.floor())
             <= data.graspTolerance();
+  }
+
+  /** Whether the hand is in the container in which the thing is. */
+  private boolean isInside(Body thing) {
+    World world = actuator.world();
+    return thing.hidden()
+        && thing.holder().isEmpty()
+        && world.containers().at(hand).isPresent()
+        && world.containers().at(hand).equals(world.containers().at(thing.position()));
   }
 
   /** What may be taken for the wanted thing, where the camera does not notice over-light. */
@@ -140,12 +149,15 @@ final class Grasp {
 
   private void putDown(String thing) {
     World world = actuator.world();
+    Optional<Position> inside = world.containers().at(hand);
     Position place =
-        new Position(
-            hand.x() + actuator.error(data.placingError()),
-            hand.y() + actuator.error(data.placingError()),
-            hand.z());
-    world.whereabouts().put(world.whereabouts().body(thing).at(place));
+        inside.orElseGet(
+            () ->
+                new Position(
+                    hand.x() + actuator.error(data.placingError()),
+                    hand.y() + actuator.error(data.placingError()),
+                    hand.z()));
+    world.whereabouts().put(world.whereabouts().body(thing).at(place).hidden(inside.isPresent()));
     world.tell(WorldEvent.Kind.PLACED, actuator.device(), Optional.of(thing));
   }
 

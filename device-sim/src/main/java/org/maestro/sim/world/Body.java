@@ -50,7 +50,7 @@ public record Body(
     return new Body(name, position, metres, mass, hidden, holder);
   }
 
-  Body hidden(boolean isHidden) {
+  public Body hidden(boolean isHidden) {
     return new Body(name, position, radius, mass, isHidden, holder);
   }
 }

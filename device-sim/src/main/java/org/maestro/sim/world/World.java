@@ -33,6 +33,7 @@ public final class World {
   private final Batteries batteries;
   private final Lighting lighting;
   private final Looks looks;
+  private final Containers containers;
   private final Stations stations;
   private final boolean shutters;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
@@ -48,6 +49,7 @@ public final class World {
         new Lighting(
             this, clock, home, scene, building, seed, parameters.shutters(), faults::isAlive);
     this.looks = new Looks(home, scene);
+    this.containers = new Containers(home);
     this.stations = new Stations(home, scene);
     this.shutters = parameters.shutters();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
@@ -385,6 +387,10 @@ public final class World {
   /** Whether the robot stands where its battery can be charged. */
   public boolean isAtStation(String robot) {
     return stations.isAt(position(robot).orElseThrow().floor());
+  }
+
+  public Containers containers() {
+    return containers;
   }
 
   public Looks looks() {

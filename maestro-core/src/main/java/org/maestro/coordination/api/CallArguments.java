@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.knowledge.api.Snapshot;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -18,6 +19,8 @@ import org.maestro.sl.Term;
  * feature's input needs.
  */
 public final class CallArguments {
+  private static final String POSITION = "position";
+
   private final Home home;
   private final Snapshot snapshot;
 
@@ -67,6 +70,18 @@ public final class CallArguments {
         return Optional.of(List.of(new Term.Number(number.getAsDouble())));
       }
     }
-    return Optional.ofNullable(individual.properties().get(property));
+    return Optional.ofNullable(individual.properties().get(property))
+        .or(() -> property.equals(POSITION) ? positionOf(individual) : Optional.empty());
+  }
+
+  /** What is fixed is where its pose says. */
+  private static Optional<List<Term>> positionOf(Individual individual) {
+    return individual.properties().getOrDefault("pose", List.of()).stream()
+        .filter(Term.Text.class::isInstance)
+        .map(pose -> Pose.parse(((Term.Text) pose).value()))
+        .map(
+            pose ->
+                List.<Term>of(new Term.Text("%s %s %s".formatted(pose.x(), pose.y(), pose.z()))))
+        .findFirst();
   }
 }

@@ -48,6 +48,7 @@ public final class Confirmation {
   private final SortedSet<String> tellers;
   private final SortedSet<String> speakers;
   private final Optional<Instant> oldest;
+  private final boolean outOfSight;
 
   private Confirmation(OnlyExpected expected) {
     this.things = expected.things();
@@ -60,6 +61,7 @@ public final class Confirmation {
     this.tellers = expected.tellers();
     this.speakers = expected.speakers();
     this.oldest = expected.oldest();
+    this.outOfSight = expected.isOutOfSight();
   }
 
   /**
@@ -150,7 +152,8 @@ public final class Confirmation {
   public boolean canBeSeenBy(List<Effect> effects) {
     Set<String> sensed = new TreeSet<>();
     effects.forEach(effect -> sensed.addAll(Sensing.names(effect)));
-    return (things.isEmpty() || effects.stream().anyMatch(Sensing::isOfAtoms))
+    return !outOfSight
+        && (things.isEmpty() || effects.stream().anyMatch(Sensing::isOfAtoms))
         && facts.stream().map(Formula.Atom::predicate).allMatch(sensed::contains)
         && numbers.stream().map(Expression.Fluent::name).allMatch(sensed::contains);
   }

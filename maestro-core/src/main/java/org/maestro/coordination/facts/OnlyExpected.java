@@ -10,12 +10,14 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.Dispute;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.belief.AsClaimed;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Evaluation;
@@ -51,6 +53,7 @@ final class OnlyExpected {
   private final SortedSet<String> tellers = new TreeSet<>();
   private final SortedSet<String> speakers = new TreeSet<>();
   private Optional<Instant> oldest = Optional.empty();
+  private boolean outOfSight;
 
   /**
    * @param notBefore what was observed earlier has to be observed again: anybody may have changed
@@ -111,6 +114,11 @@ final class OnlyExpected {
     return oldest;
   }
 
+  /** Whether something is where nobody sees it. */
+  boolean isOutOfSight() {
+    return outOfSight;
+  }
+
   /** Of alternatives the first that holds counts. */
   void collect(Formula formula) {
     if (formula instanceof Formula.And and) {
@@ -132,6 +140,17 @@ final class OnlyExpected {
           .map(derived -> Assured.of(new Formula.Not(derived), vocabulary))
           .ifPresentOrElse(this::collect, () -> collect(atom, not));
     }
+  }
+
+  /** Whether the thing is in something that has its place and no area, into which one could see. */
+  private boolean isClosed(Formula.Atom atom) {
+    Individual place =
+        atom.arguments().get(atom.arguments().size() - 1) instanceof Term.Name name
+            ? home.individuals().get(name.text())
+            : null;
+    return place != null
+        && !place.properties().containsKey("outline")
+        && Stream.of("pose", POSITION).anyMatch(place.properties()::containsKey);
   }
 
   private void collect(Expression.Fluent number, Formula comparison) {
@@ -158,6 +177,7 @@ final class OnlyExpected {
     } else if (seeable.isPresent()) {
       // Where a thing is, the thing tells when it is seen; nobody can see the place.
       int seen = seeable.get().functional() ? 1 : atom.arguments().size();
+      outOfSight |= seeable.get().functional() && condition == atom && isClosed(atom);
       collectThings(atom.arguments().subList(0, seen), claims, name, condition);
       note(snapshot.belief(atom), claims, name, condition);
       collectObjections(atom, condition);

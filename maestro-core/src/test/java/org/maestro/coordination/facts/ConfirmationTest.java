@@ -207,6 +207,16 @@ class ConfirmationTest {
         .isFalse();
   }
 
+  /** What is in a cupboard is seen by nobody, and nobody has to search for who could. */
+  @Test
+  void nobodySeesIntoWhatHasAPlaceAndNoArea() {
+    bobs.told("rose", "(in Cup lamp-a1)");
+    Confirmation needed = needed(bobs, "(in Cup lamp-a1)").orElseThrow();
+
+    assertThat(needed.canBeSeenBy(List.of(bobs.feature("cam-a", "observeObject").effect())))
+        .isFalse();
+  }
+
   @Test
   void whatAnEffectDoesToWhatWasObserved() {
     assertThat(extended(workshop, "gauge-1", "gauge"))

@@ -52,6 +52,20 @@ public final class WorldAssert extends AbstractAssert<WorldAssert, World> {
     return require(actual.holder(thing).isEmpty(), thing + " put down, but " + whereabouts(thing));
   }
 
+  /** It is in a container, where nobody sees it. */
+  public WorldAssert hasPutAway(String thing) {
+    return require(
+        actual.holder(thing).isEmpty() && actual.isHidden(thing),
+        thing + " put away, but " + whereabouts(thing));
+  }
+
+  /** It stands in the open, in nobody's hand. */
+  public WorldAssert hasInSight(String thing) {
+    return require(
+        actual.holder(thing).isEmpty() && !actual.isHidden(thing),
+        thing + " in sight, but " + whereabouts(thing));
+  }
+
   /** Light at the zone's reference point. */
   public WorldAssert hasLuxAtLeast(String zone, double lux) {
     return require(

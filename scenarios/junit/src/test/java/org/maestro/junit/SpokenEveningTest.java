@@ -2,7 +2,9 @@ package org.maestro.junit;
 
 import static org.maestro.junit.MaestroAssertions.assertThat;
 
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.api.Source;
 
 /** What a family says in an evening is done in its house, and answered (ADE, 5). */
 @MaestroTest(home = "evening", scene = "evening")
@@ -107,5 +109,22 @@ class SpokenEveningTest {
         .isReached();
     stage.speaker("Tom").awaits("it's time for dinner");
     stage.speaker("Mia").awaits("it's time for dinner");
+  }
+
+  @Test
+  void applesAreCountedAfterOneWasTaken(Stage stage) {
+    stage
+        .knowledge()
+        .state(
+            new Source(Source.Kind.STATED, "Rose"),
+            Stream.of("apple-1", "apple-2", "apple-3")
+                .map("(in %s refrigerator)"::formatted)
+                .toList());
+    Speaker dave = stage.speaker("Dave").in("kitchen");
+
+    dave.says("How many apples are there in the refrigerator?").replies("Three.");
+    dave.says("bring me an apple").isReached();
+    assertThat(stage.world()).hasNextTo("apple-1", "Dave").hasInSight("apple-1");
+    dave.says("How many apples are there in the refrigerator?").replies("Two.");
   }
 }
