@@ -48,8 +48,8 @@ class GoalsWayTest {
     System.out.printf(
         "A goal passes %d classes out, %d back%nout: %s%nback: %s%n",
         way.out.size(), way.back.size(), way.out, way.back);
-    assertThat(way.out).hasSizeBetween(50, 160);
-    assertThat(way.back).hasSizeBetween(40, 130);
+    assertThat(way.out).hasSizeBetween(50, 140);
+    assertThat(way.back).hasSizeBetween(40, 140);
   }
 
   /** The trace. */
@@ -114,7 +114,7 @@ class GoalsWayTest {
           } else if (event instanceof ClassPrepareEvent prepared) {
             arm(machine, prepared.referenceType());
           } else if (event instanceof BreakpointEvent reached) {
-            entered(machine, reached.location().method());
+            entered(machine, reached.location().method(), isSignOfLife(reached.thread().name()));
           }
         }
         events.resume();
@@ -159,7 +159,12 @@ class GoalsWayTest {
           || name.equals("GoalOutcome");
     }
 
-    private void entered(VirtualMachine machine, Method method) {
+    /** Containers and agents tell that they live, whatever else they do. */
+    private static boolean isSignOfLife(String thread) {
+      return thread.startsWith("maestro-pulse") || thread.endsWith("-failure-monitor");
+    }
+
+    private void entered(VirtualMachine machine, Method method, boolean signOfLife) {
       ReferenceType type = method.declaringType();
       String name = simple(type);
       Leg before = leg;
@@ -172,7 +177,8 @@ class GoalsWayTest {
       } else if (leg == Leg.BACK && name.equals("GoalOutcome")) {
         leg = Leg.OVER;
       }
-      if (isOnTheWay(type)) {
+      // What a platform does as it starts is on no goal's way.
+      if (leg != Leg.BEFORE && !signOfLife && isOnTheWay(type)) {
         (leg == Leg.BACK ? back : out).add(name);
       }
       boolean isResult = leg == Leg.BACK && name.equals("CallReporter");
