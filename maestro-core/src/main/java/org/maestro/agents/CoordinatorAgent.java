@@ -13,6 +13,7 @@ import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
+import org.maestro.agents.centre.Undoing;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
@@ -38,8 +39,8 @@ import org.slf4j.LoggerFactory;
 /**
  * The Central Coordination Agent (Three-layered architecture, 3.3.3; M76): takes goals by FIPA
  * request, and is the coordinator's voice and ear. It answers {@code initCNP}, {@code cancel},
- * {@code say}, {@code explain}, {@code subscribe} and {@code query-ref} about goals and their
- * plans.
+ * {@code undo}, {@code say}, {@code explain}, {@code subscribe} and {@code query-ref} about goals
+ * and their plans.
  */
 public final class CoordinatorAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
@@ -61,6 +62,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient boolean returns;
   private final transient ToldStories stories;
   private final transient GoalRequests requests;
+  private final transient Undoing undoing;
   private final transient Sayings sayings;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
@@ -95,7 +97,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
             this::misconduct);
     this.coordinator = deliberation.coordinator();
     this.requests = new GoalRequests(this, knowledge, coordinator, stories);
-    this.sayings = new Sayings(this, knowledge, requests, dialogues);
+    this.undoing = new Undoing(this, coordinator, requests);
+    this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -215,11 +218,18 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
         case "inform" -> memberNews(message, words, content);
         case "yield" -> deliberation.askedToYield(message, words);
         case "cancel" -> requests.cancel(message, words);
+        case "undo" -> undoing.undo(message, words);
         case "answer" -> requests.answer(message, words);
         case "say" -> sayings.say(message, words);
         case "explain" -> requests.explain(message, words);
         case "subscribe" -> requests.subscribe(message, words);
-        case "query-ref" -> requests.list(message, words);
+        case "query-ref" -> {
+          if (words.string("before").isPresent()) {
+            undoing.before(message, words);
+          } else {
+            requests.list(message, words);
+          }
+        }
         case "await" -> requests.await(message, words);
         case "perform" -> deployment.forward(message, content);
         default ->
@@ -228,7 +238,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
                 ACLMessage.NOT_UNDERSTOOD,
                 "The CCA does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows initCNP, await, cancel, answer, say, explain, subscribe,"
+                    + "; it knows initCNP, await, cancel, undo, answer, say, explain, subscribe,"
                     + " query-ref and perform.");
       }
     }

@@ -16,6 +16,7 @@ import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.BeliefWords;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.HeldReport;
+import org.maestro.agents.content.OverheardReply;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.SaidReply;
 import org.maestro.agents.content.SayWords;
@@ -207,6 +208,21 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
           }
         },
         SayWords.content(utterance));
+  }
+
+  /**
+   * Tells words that a person has said so far, and after which others are to come; what she says in
+   * the end is told by {@link #say}.
+   *
+   * @param told once, on this agent's thread
+   */
+  public void overhear(Utterance words, Consumer<OverheardReply> told) {
+    request(
+        ACLMessage.REQUEST,
+        AgentNames.COORDINATOR,
+        NO_END,
+        reply -> told.accept(OverheardReply.read(reply.getContent())),
+        SayWords.unfinished(words));
   }
 
   /** Asks an agent of this platform; exactly one final reply follows. */

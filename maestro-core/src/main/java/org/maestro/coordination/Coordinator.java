@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.coordination.achievement.AchievementGoal;
 import org.maestro.coordination.achievement.CallGoal;
 import org.maestro.coordination.achievement.FeatureCall;
@@ -19,6 +20,7 @@ import org.maestro.coordination.agenda.EntryGoal;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.ComponentWant;
+import org.maestro.coordination.api.Former;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
@@ -56,6 +58,7 @@ import org.maestro.coordination.scripts.Subgoals;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.PlanRecords;
+import org.maestro.coordination.undoing.FormerFacts;
 import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
@@ -72,13 +75,13 @@ import org.maestro.sl.Formula;
  * <p>Source: Three-layered architecture, abstract, 2, 3.2.2 and 3.3.3 (M4, M17, M21, M55, M76).
  */
 public final class Coordinator {
-  /** Before the number of a goal of the whole platform. */
   private static final long MOST_BYTES_OF_EXPLAINED = 1 << 20;
 
   private static final long MOST_BYTES_OF_ENDED = 512 << 10;
   private static final long BYTES_OF_A_REQUEST = 512;
 
   private final Ports ports;
+  private final FormerFacts former;
   private final JournaledDispatcher dispatcher;
   private final ScriptsInPlans runs;
   private final CompositeActions composites;
@@ -110,9 +113,10 @@ public final class Coordinator {
    */
   public Coordinator(Ports ports, String prefix) {
     this.prefix = prefix;
+    this.former = new FormerFacts(ports.knowledge());
     this.dispatcher =
         new JournaledDispatcher(
-            ports.dispatcher(), ports.journal(), roster, ports.clock().instant());
+            ports.dispatcher(), ports.journal(), roster, former, ports.clock().instant());
     this.ports = ports.with(dispatcher);
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
     this.activeGoals =
@@ -315,7 +319,7 @@ public final class Coordinator {
 
   /** Goals that others begin; they are this coordinator's as all are. */
   private final class BegunGoals implements Beginnings {
-    private final Map<String, Consumer<GoalOutcome>> followers = new HashMap<>();
+    private final Map<String, List<Consumer<GoalOutcome>>> followers = new HashMap<>();
 
     @Override
     public String nextId() {
@@ -358,13 +362,15 @@ public final class Coordinator {
     public boolean follow(String goalId, Consumer<GoalOutcome> ended) {
       Optional<Recovery.EndedGoal> over = Coordinator.this.ended.find(goalId);
       over.ifPresentOrElse(
-          goal -> ended.accept(goal.outcome()), () -> followers.put(goalId, ended));
+          goal -> ended.accept(goal.outcome()),
+          () -> followers.computeIfAbsent(goalId, id -> new ArrayList<>()).add(ended));
       return over.isPresent() || pursuits.containsKey(goalId);
     }
 
     private void ended(GoalOutcome outcome) {
       Optional.ofNullable(followers.remove(outcome.id()))
-          .ifPresent(follower -> follower.accept(outcome));
+          .orElse(List.of())
+          .forEach(follower -> follower.accept(outcome));
     }
 
     @Override
@@ -476,6 +482,27 @@ public final class Coordinator {
     }
     activeGoals.run(() -> pursuit.cancel(who));
     return true;
+  }
+
+  /**
+   * Tells what was so before the goal, once that is over and nothing that was begun for it is under
+   * way.
+   *
+   * @param others what is wanted then: of what these speak nothing is to be as it was
+   */
+  public void beforeGoal(String goalId, Supplier<List<Formula>> others, Consumer<Former> told) {
+    if (pursuits.containsKey(goalId)) {
+      begun.follow(goalId, outcome -> beforeGoal(goalId, others, told));
+      return;
+    }
+    former.whenAtRest(
+        goalId,
+        () ->
+            told.accept(
+                ended
+                    .find(goalId)
+                    .map(goal -> former.before(goalId, goal.request().goal(), others.get()))
+                    .orElse(Former.NOTHING)));
   }
 
   /**
@@ -652,6 +679,11 @@ public final class Coordinator {
   /** Whether a goal of that id is or was pursued. */
   public boolean hasGoal(String goalId) {
     return pursuits.containsKey(goalId) || ended.find(goalId).isPresent();
+  }
+
+  /** Whether a goal of that id was pursued, and has ended. */
+  public boolean isOver(String goalId) {
+    return ended.find(goalId).isPresent();
   }
 
   /** Whether there was a goal of that id; nothing more may be known of it. */

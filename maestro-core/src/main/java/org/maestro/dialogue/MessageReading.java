@@ -38,10 +38,10 @@ final class MessageReading {
     };
   }
 
-  /** What was asked for last, or what is named; what was done is not undone. */
+  /** What was asked for last, or what is named. */
   private static Optional<Reading> calledOff(Content message) {
     return named(message, "undo").isPresent()
-        ? Optional.empty()
+        ? Optional.of(new Reading.Undone())
         : Optional.of(new Reading.CalledOff(goal(message)));
   }
 

@@ -57,6 +57,9 @@ public sealed interface Reading {
    */
   record CalledOff(Optional<Formula> formula) implements Reading {}
 
+  /** What was asked for last is to be as it was before. */
+  record Undone() implements Reading {}
+
   /** What was asked for last is to be done again. */
   record Again() implements Reading {}
 

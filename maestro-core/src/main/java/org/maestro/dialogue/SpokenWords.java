@@ -11,6 +11,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.maestro.language.Language;
+import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
 import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Discourse;
@@ -70,15 +71,49 @@ public final class SpokenWords {
    * @param message that it means, in MAESTRO-SL
    * @param reply what is to be said when nobody else understands it
    * @param answering whether something was asked back before
+   * @param begun goals that may have been begun before the end, and belong to what is meant
    */
   public record Hearing(
       Optional<Reading> reading,
       Optional<Content> message,
       Optional<String> reply,
-      boolean answering) {
+      boolean answering,
+      List<Reading.Goals> begun) {
     /** Nothing was heard. */
     public static final Hearing NONE =
-        new Hearing(Optional.empty(), Optional.empty(), Optional.empty(), false);
+        new Hearing(Optional.empty(), Optional.empty(), Optional.empty(), false, List.of());
+
+    public Hearing {
+      begun = List.copyOf(begun);
+    }
+  }
+
+  /**
+   * What can be told of words after which others are to come. Nothing is remembered of them: the
+   * next ones may take them back.
+   */
+  public synchronized Overheard overhear(Utterance words) {
+    Home there = home.get();
+    room = room(words);
+    Language language = language(there, Optional.of(words));
+    Listening listening = language.hear(words.text(), situation(there, words));
+    return new Overheard(
+        begun(listening.began(), there), listening.attention(), listening.isComplete());
+  }
+
+  /** Of what was not called off. */
+  private static List<Reading.Goals> begun(List<Understanding.Begun> began, Home there) {
+    return began.stream()
+        .filter(one -> one.calledOff().isEmpty())
+        .flatMap(one -> MessageReading.of(one.message(), there).stream())
+        .filter(Reading.Goals.class::isInstance)
+        .map(Reading.Goals.class::cast)
+        .toList();
+  }
+
+  /** Who does not say where she is has gone nowhere. */
+  private Optional<String> room(Utterance utterance) {
+    return Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
   }
 
   /** What is meant. */
@@ -86,8 +121,7 @@ public final class SpokenWords {
     Home there = home.get();
     boolean isAsked = discourse.asked().isPresent();
     latest = Optional.of(utterance);
-    // Who does not say where she is has gone nowhere.
-    room = Optional.of(utterance.room()).filter(said -> !said.isEmpty()).or(() -> room);
+    room = room(utterance);
     Language language = language(there);
     Situation situation = situation(there, utterance);
     Understanding understood = language.understand(utterance.text(), situation);
@@ -102,7 +136,12 @@ public final class SpokenWords {
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
-    return new Hearing(reading, understood.message(), understood.reply(), isAsked);
+    return new Hearing(
+        reading,
+        understood.message(),
+        understood.reply(),
+        isAsked,
+        begun(understood.began(), there));
   }
 
   /**

@@ -105,11 +105,16 @@ public final class Language {
         situation);
   }
 
+  /** Listens to words after which others may come. */
+  public Listening hear(String words, Situation situation) {
+    Listening listening = listen(situation);
+    words(words).forEach(listening::hear);
+    return listening;
+  }
+
   /** Understands a whole utterance. */
   public Understanding understand(String utterance, Situation situation) {
-    Listening listening = listen(situation);
-    words(utterance).forEach(listening::hear);
-    return listening.end(utterance).in(new OwnWords(tokens, utterance));
+    return hear(utterance, situation).end(utterance).in(new OwnWords(tokens, utterance));
   }
 
   /**
@@ -117,8 +122,7 @@ public final class Language {
    * rules; none where it is not understood.
    */
   public Set<Integer> rulesOf(String utterance, Situation situation) {
-    Listening listening = listen(situation);
-    words(utterance).forEach(listening::hear);
+    Listening listening = hear(utterance, situation);
     listening.end(utterance);
     return listening.rules().stream().map(Rule::line).collect(Collectors.toSet());
   }
@@ -134,8 +138,7 @@ public final class Language {
     while (last > 0 && !Character.isWhitespace(text.charAt(last - 1))) {
       last--;
     }
-    Listening listening = listen(situation);
-    words(text.substring(0, last)).forEach(listening::hear);
+    Listening listening = hear(text.substring(0, last), situation);
     List<String> begun = words(text.substring(last));
     return begun.size() > 1 ? List.of() : listening.next(String.join("", begun), most);
   }

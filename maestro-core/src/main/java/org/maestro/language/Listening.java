@@ -88,6 +88,21 @@ public final class Listening {
         : new Narrowing(situation).of(words.chart().partial(Narrowing::isBegun));
   }
 
+  /** The individuals that alone can be meant by what was said so far. */
+  public List<String> attention() {
+    return Attention.of(underWay());
+  }
+
+  /** Whether it is certain what is wanted, if nothing else follows. */
+  public boolean isComplete() {
+    return best(soFar()).flatMap(Meaning::message).isPresent();
+  }
+
+  /** What may be begun before the end, and what of it is called off by words that followed. */
+  public List<Understanding.Begun> began() {
+    return beginning.began();
+  }
+
   /**
    * Words that could come next, and begin so; none while a word fits nothing.
    *

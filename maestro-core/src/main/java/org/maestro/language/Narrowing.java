@@ -73,20 +73,35 @@ final class Narrowing {
   private Understanding.UnderWay underWay(Form frame) {
     NounPhrases phrases = new NounPhrases(situation);
     Map<String, List<String>> roles = new LinkedHashMap<>();
+    List<String> said = new ArrayList<>();
     situation.home().wording().constructions().stream()
         .filter(one -> one.name().equals(frame.text(0)))
         .flatMap(one -> one.roles().stream())
-        .forEach(role -> roles.put(role.name(), candidates(phrases, frame, role)));
-    return new Understanding.UnderWay(frame.text(0), roles);
+        .forEach(
+            role -> {
+              roles.put(role.name(), candidates(phrases, frame, role));
+              if (!isUnsaid(filler(frame, role))) {
+                said.add(role.name());
+              }
+            });
+    return new Understanding.UnderWay(frame.text(0), roles, said);
+  }
+
+  private static Form filler(Form frame, Construction.Role role) {
+    return frame.parts().stream()
+        .filter(part -> part.is("role") && part.text(0).equals(role.name()))
+        .map(part -> part.part(1))
+        .findFirst()
+        .orElse(Form.HOLE);
+  }
+
+  /** Whether something of it is still to be said. */
+  private static boolean isUnsaid(Form filler) {
+    return filler.equals(Form.HOLE) || filler.parts().stream().anyMatch(Narrowing::isUnsaid);
   }
 
   private List<String> candidates(NounPhrases phrases, Form frame, Construction.Role role) {
-    Form filler =
-        frame.parts().stream()
-            .filter(part -> part.is("role") && part.text(0).equals(role.name()))
-            .map(part -> part.part(1))
-            .findFirst()
-            .orElse(Form.HOLE);
+    Form filler = filler(frame, role);
     boolean isRelation = role.type().equals(Construction.Role.RELATION);
     Form phrase = isRelation ? filler.part(1) : filler;
     String type =

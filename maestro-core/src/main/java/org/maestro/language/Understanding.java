@@ -38,10 +38,12 @@ public record Understanding(
    * A reading that is under way.
    *
    * @param roles what may fill each, in order; nothing of a role that is told otherwise
+   * @param said those for which something was said
    */
-  public record UnderWay(String construction, Map<String, List<String>> roles) {
+  public record UnderWay(String construction, Map<String, List<String>> roles, List<String> said) {
     public UnderWay {
       roles = Collections.unmodifiableMap(new LinkedHashMap<>(roles));
+      said = List.copyOf(said);
     }
   }
 

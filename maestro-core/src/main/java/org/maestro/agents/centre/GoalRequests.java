@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.HeldReport;
 import org.maestro.agents.content.SpeechWords;
@@ -16,6 +17,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.Former;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
@@ -30,6 +32,7 @@ import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
@@ -89,7 +92,11 @@ public final class GoalRequests {
           "initCNP needs a goal, such as (initCNP (:goal (nextTo Cup Bob))).");
       return;
     }
-    Formula goal = stated.get();
+    state(message, words, stated.get());
+  }
+
+  /** The goal is taken on, if it can be and who asks for it may; he is told, and how it ends. */
+  void state(ACLMessage message, Words words, Formula goal) {
     Caller requester = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
     if (!mayAsk(requester, message)
         || isKeptBack(message, privately.objection(message, words, goal))) {
@@ -110,34 +117,80 @@ public final class GoalRequests {
     }
   }
 
-  /** Takes the goals of one sentence on, if all of them can be; who says it is told so. */
-  void state(ACLMessage message, Words words, Caller requester, SaidGoals said) {
-    List<Formula> goals = said.goals();
-    if (!mayAsk(requester, message)
-        || goals.stream()
-            .anyMatch(goal -> isKeptBack(message, privately.objection(message, words, goal)))) {
-      return;
+  /**
+   * Takes the goals of one sentence on, if all of them can be; who says it is told so.
+   *
+   * @return whether they are taken on
+   */
+  boolean state(Said said, SaidGoals goals) {
+    if (!mayAsk(said.caller(), said.message())
+        || goals.goals().stream().anyMatch(goal -> isKeptBack(said, goal))) {
+      return false;
     }
     try {
       GoalCheck check = new GoalCheck(knowledge.home());
-      String asking = new Requester(requester.toString(), Optional.of(said.person())).toString();
       List<GoalRequest> asked = new ArrayList<>();
-      for (Formula goal : goals) {
-        asked.add(GoalWords.request(goal, asking, words, agent.clock().now()));
+      for (Formula goal : goals.goals()) {
+        asked.add(request(said, goal));
         check.check(asked.get(asked.size() - 1));
       }
-      for (GoalRequest one : asked) {
-        coordinator.submit(
-            one,
-            said.answer(),
-            news -> answer(message, news),
-            outcome -> {
-              endings.ended(one.goal(), outcome);
-              said.ended(one.goal(), outcome);
-            });
-      }
+      asked.forEach(one -> state(said, one, goals));
+      return true;
     } catch (InvalidGoalException e) {
-      agent.reply(message, ACLMessage.REFUSE, invalid(e));
+      agent.reply(said.message(), ACLMessage.REFUSE, invalid(e));
+      return false;
+    }
+  }
+
+  private void state(Said said, GoalRequest one, SaidGoals goals) {
+    Optional<BegunGoal> begun = goals.begun(one.goal());
+    if (begun.isPresent()) {
+      goals.answer().accepted(begun.get().id());
+      begun.get().follow(outcome -> goals.ended(one.goal(), outcome));
+      return;
+    }
+    coordinator.submit(
+        one,
+        goals.answer(),
+        news -> answer(said.message(), news),
+        outcome -> {
+          endings.ended(one.goal(), outcome);
+          goals.ended(one.goal(), outcome);
+        });
+  }
+
+  private GoalRequest request(Said said, Formula goal) {
+    return GoalWords.request(goal, said.requester(), said.words(), agent.clock().now());
+  }
+
+  private boolean isKeptBack(Said said, Formula goal) {
+    return isKeptBack(said.message(), privately.objection(said.message(), said.words(), goal));
+  }
+
+  /** Whether the goal tells nothing that who says it may not read. */
+  boolean maySpeakOf(Said said, Formula goal) {
+    return privately.objection(said.message(), said.words(), goal).isEmpty();
+  }
+
+  /**
+   * Begins a goal before all was said that states it, or after what was said is taken back.
+   *
+   * @return its id; empty when it cannot be one
+   */
+  Optional<String> begin(
+      Said said, Formula goal, Coordinator.Answer answer, Consumer<GoalOutcome> ended) {
+    try {
+      return Optional.of(
+          coordinator.submit(
+              request(said, goal),
+              answer,
+              news -> {},
+              outcome -> {
+                endings.ended(goal, outcome);
+                ended.accept(outcome);
+              }));
+    } catch (InvalidGoalException e) {
+      return Optional.empty();
     }
   }
 
@@ -393,6 +446,35 @@ public final class GoalRequests {
   private boolean isKeptBack(ACLMessage message, Optional<String> objection) {
     objection.ifPresent(reason -> agent.refuse(message, ACLMessage.REFUSE, reason));
     return objection.isPresent();
+  }
+
+  /** What was so before a goal, to who may read it. */
+  void tellBefore(ACLMessage message, Words words, String id, Former former) {
+    if (isPrivate(message, words, id)
+        || former.wish().isPresent()
+            && isKeptBack(message, rights(message, words).objection(former.wish().get()))) {
+      return;
+    }
+    List<Content.Argument> told = new ArrayList<>();
+    told.add(Words.named("goal", Words.name(id)));
+    former
+        .wish()
+        .ifPresent(wish -> told.add(Words.named("before", Words.text(SlPrinter.print(wish)))));
+    if (!former.unknown().isEmpty()) {
+      told.add(Words.named("unknown", former.unknown().stream().map(Words::text).toList()));
+    }
+    agent.reply(message, ACLMessage.INFORM, new Content("inform", told));
+  }
+
+  /** What is said of a goal that is not pursued here. */
+  String notHere(String id) {
+    return others
+        .owner(id)
+        .map(
+            owner ->
+                "The goal %s is one of %s, which alone knows what it has changed; state what is to be so instead."
+                    .formatted(id, owner.getLocalName()))
+        .orElseGet(() -> noSuchGoal(id));
   }
 
   private String noSuchGoal(String id) {

@@ -3,6 +3,7 @@ package org.maestro.agents.centre;
 import jade.lang.acl.ACLMessage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.maestro.agents.content.GoalReport;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
@@ -16,8 +17,8 @@ import org.maestro.sl.Formula;
  * all of them ended. Agent thread only.
  */
 final class SaidGoals {
-  private final String person;
   private final List<Formula> goals;
+  private final UnfinishedSentence sentence;
   private final String means;
   private final GoalRequests.Verdict verdict;
   private final List<String> accepted = new ArrayList<>();
@@ -26,18 +27,28 @@ final class SaidGoals {
   private boolean reached = true;
 
   /**
-   * @param person who was heard to say it: it is done within what she may have done
+   * @param sentence what was begun of them before all was said
    * @param means the message that the sentence was understood to be
    */
-  SaidGoals(String person, List<Formula> goals, String means, GoalRequests.Verdict verdict) {
-    this.person = person;
+  SaidGoals(
+      List<Formula> goals,
+      UnfinishedSentence sentence,
+      String means,
+      GoalRequests.Verdict verdict) {
     this.goals = List.copyOf(goals);
+    this.sentence = sentence;
     this.means = means;
     this.verdict = verdict;
   }
 
-  String person() {
-    return person;
+  /** What was begun for the goal. */
+  Optional<BegunGoal> begun(Formula goal) {
+    return sentence.of(goal);
+  }
+
+  /** Those that are taken on. */
+  List<String> accepted() {
+    return List.copyOf(accepted);
   }
 
   List<Formula> goals() {

@@ -1,18 +1,21 @@
 package org.maestro.agents.centre;
 
 import jade.lang.acl.ACLMessage;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Reading;
@@ -40,20 +43,27 @@ public final class Sayings {
   private final KnowledgeBase knowledge;
   private final GoalRequests requests;
   private final Dialogues dialogues;
+  private final Overhearing overhearing;
+  private final Undoing undoing;
+  private final Map<String, SaidGoals> lastByPerson = new HashMap<>();
 
   /**
    * @param dialogues what was said before, also by other ways
    */
   public Sayings(
-      MaestroAgent agent, KnowledgeBase knowledge, GoalRequests requests, Dialogues dialogues) {
+      MaestroAgent agent,
+      KnowledgeBase knowledge,
+      Coordinator coordinator,
+      GoalRequests requests,
+      Undoing undoing,
+      Dialogues dialogues) {
     this.agent = agent;
     this.knowledge = knowledge;
     this.requests = requests;
+    this.undoing = undoing;
     this.dialogues = dialogues;
+    this.overhearing = new Overhearing(agent, knowledge, coordinator, requests, dialogues);
   }
-
-  /** Something that was said, and who tells it. */
-  private record Said(ACLMessage message, Words words, Caller caller, Utterance utterance) {}
 
   /** Somebody says something. */
   public void say(ACLMessage message, Words words) {
@@ -78,6 +88,10 @@ public final class Sayings {
       return;
     }
     Said said = new Said(message, words, caller, utterance);
+    if (words.string("more").filter("true"::equals).isPresent()) {
+      overhearing.hear(said);
+      return;
+    }
     dialogues
         .asked()
         .answeredBy(utterance)
@@ -86,6 +100,7 @@ public final class Sayings {
 
   /** It is the answer to a script, if that still waits for one. */
   private void answer(Said said, Speech question) {
+    overhearing.over(said, List.of(), List.of());
     if (!requests.mayAsk(said.caller(), said.message())) {
       return;
     }
@@ -110,23 +125,17 @@ public final class Sayings {
   }
 
   private void understand(Said said) {
-    SpokenWords spoken = dialogues.with(said.utterance().person());
+    SpokenWords spoken = dialogues.with(said.person());
     SpokenWords.Hearing heard = spoken.read(said.utterance());
     String means = heard.message().map(SlPrinter::print).orElse("");
     Reading reading = heard.reading().orElse(new Reading.Unclear(notUnderstood(heard), List.of()));
-    if (reading instanceof Reading.Goals goals && refusal(spoken, goals, said).isPresent()) {
-      agent.refuse(said.message(), ACLMessage.REFUSE, refusal(spoken, goals, said).get());
-    } else if (reading instanceof Reading.Goals goals) {
-      List<Formula> formulas = goals.formulas().stream().map(this::formula).toList();
-      requests.state(
-          said.message(),
-          said.words(),
-          said.caller(),
-          new SaidGoals(
-              said.utterance().person(),
-              formulas,
-              means,
-              (performative, contents) -> agent.reply(said.message(), performative, contents)));
+    if (reading instanceof Reading.Goals goals && refusal(spoken, goals, said).isEmpty()) {
+      state(said, heard, goals, means);
+      return;
+    }
+    overhearing.over(said, List.of(), List.of());
+    if (reading instanceof Reading.Goals goals) {
+      agent.refuse(said.message(), ACLMessage.REFUSE, refusal(spoken, goals, said).orElseThrow());
     } else if (reading instanceof Reading.Asked asked) {
       tell(said, means, asked.formula(), answers -> spoken.answer(answers, asked.formula()));
     } else if (reading instanceof Reading.Counted counted) {
@@ -135,6 +144,8 @@ public final class Sayings {
       agent.reply(said.message(), ACLMessage.INFORM, SayWords.asked(back.text()));
     } else if (reading instanceof Reading.Said reply) {
       agent.reply(said.message(), ACLMessage.INFORM, SayWords.replied(means, reply.text()));
+    } else if (reading instanceof Reading.Undone) {
+      undo(said, spoken, means);
     } else if (isNothingToDo(reading, heard)) {
       agent.reply(
           said.message(),
@@ -147,6 +158,55 @@ public final class Sayings {
     } else {
       agent.refuse(said.message(), ACLMessage.REFUSE, ofTheConsole(means));
     }
+  }
+
+  private void state(Said said, SpokenWords.Hearing heard, Reading.Goals goals, String means) {
+    List<Formula> formulas = goals.formulas().stream().map(this::formula).toList();
+    UnfinishedSentence sentence = overhearing.over(said, heard.begun(), formulas);
+    if (!state(said, formulas, sentence, means)) {
+      overhearing.takeBack(sentence, said);
+    }
+  }
+
+  private boolean state(
+      Said said, List<Formula> formulas, UnfinishedSentence sentence, String means) {
+    SaidGoals stated =
+        new SaidGoals(
+            formulas,
+            sentence,
+            means,
+            (performative, contents) -> agent.reply(said.message(), performative, contents));
+    lastByPerson.put(said.person(), stated);
+    return requests.state(said, stated);
+  }
+
+  /** What she has asked for last by what agents heard is called off, and is to be as it was. */
+  private void undo(Said said, SpokenWords spoken, String means) {
+    List<String> last =
+        Optional.ofNullable(lastByPerson.get(said.person()))
+            .map(SaidGoals::accepted)
+            .orElse(List.of());
+    Consumer<String> reply =
+        phrase ->
+            agent.reply(
+                said.message(),
+                ACLMessage.INFORM,
+                SayWords.replied(means, spoken.goals(said.utterance()).phrase(phrase)));
+    if (last.isEmpty()) {
+      reply.accept("undo-nothing");
+      return;
+    }
+    undoing.callOff(
+        last,
+        said.caller().toString(),
+        former ->
+            former
+                .wish()
+                .ifPresentOrElse(
+                    wish -> state(said, List.of(wish), new UnfinishedSentence(), means),
+                    () ->
+                        reply.accept(
+                            former.unknown().isEmpty() ? "undo-nothing" : "undo-unknown")));
   }
 
   /** A no, or that what was asked back is left so. */

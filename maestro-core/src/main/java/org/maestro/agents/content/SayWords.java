@@ -27,6 +27,13 @@ public final class SayWords {
     return new Content("say", arguments);
   }
 
+  /** The same of words after which others are to come; all that was said so far. */
+  public static Content unfinished(Utterance utterance) {
+    List<Content.Argument> arguments = new ArrayList<>(content(utterance).arguments());
+    arguments.add(Words.named("more", Words.name("true")));
+    return new Content("say", arguments);
+  }
+
   /**
    * It was understood as goals, which are taken on.
    *

@@ -13,6 +13,7 @@ import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.facts.ProgressedState;
+import org.maestro.coordination.facts.Settings;
 import org.maestro.coordination.facts.Tightened;
 import org.maestro.coordination.lessons.Experience;
 import org.maestro.knowledge.api.Snapshot;
@@ -109,10 +110,10 @@ final class CheaperSettings {
   /** The goal, and all settings as they are after the plan. */
   private Formula settled(Plan plan, Facts without) {
     Set<Expression.Fluent> fluents = new LinkedHashSet<>();
-    settings.steps().forEach(step -> fluents.addAll(OwnSettings.assigned(step)));
+    settings.steps().forEach(step -> fluents.addAll(Settings.assigned(step)));
     Facts facts = without;
     for (Step step : plan.steps()) {
-      fluents.addAll(OwnSettings.assigned(step));
+      fluents.addAll(Settings.assigned(step));
       facts = ProgressedState.of(facts, vocabulary(), step);
     }
     List<Formula> parts = new ArrayList<>(List.of(goal));

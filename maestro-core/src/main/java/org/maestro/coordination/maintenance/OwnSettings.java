@@ -2,7 +2,6 @@ package org.maestro.coordination.maintenance;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,16 +11,15 @@ import java.util.TreeMap;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.facts.ProgressedState;
+import org.maestro.coordination.facts.Settings;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
 import org.maestro.sl.Change;
-import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
-import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
 /**
@@ -106,7 +104,7 @@ final class OwnSettings {
    * The step is begun: what it sets is known as the goal's own from now on, whoever hears its end.
    */
   void begun(Step step, Facts before) {
-    for (Expression.Fluent fluent : assigned(step)) {
+    for (Expression.Fluent fluent : Settings.assigned(step)) {
       underWay.putIfAbsent(fluent, Optional.ofNullable(settings.get(fluent)));
     }
     noteAll(step, before);
@@ -125,7 +123,7 @@ final class OwnSettings {
   }
 
   private void restore(Step step) {
-    for (Expression.Fluent fluent : assigned(step)) {
+    for (Expression.Fluent fluent : Settings.assigned(step)) {
       Optional<Setting> former = underWay.remove(fluent);
       if (former != null) {
         settings.remove(fluent);
@@ -135,7 +133,7 @@ final class OwnSettings {
   }
 
   private void noteAll(Step step, Facts before) {
-    Set<Expression.Fluent> assigned = assigned(step);
+    Set<Expression.Fluent> assigned = Settings.assigned(step);
     for (Change change : ProgressedState.changes(before, step)) {
       if (change instanceof Change.OfNumber number
           && assigned.contains(number.fluent())
@@ -200,28 +198,5 @@ final class OwnSettings {
         step.seconds(),
         step.exactPrice(),
         Set.of());
-  }
-
-  /** The numbers of the member itself that the step assigns. */
-  static Set<Expression.Fluent> assigned(Step step) {
-    Map<String, Term> bindings = step.values();
-    Set<Expression.Fluent> assigned = new LinkedHashSet<>();
-    collect(step.feature().effect(), new Substitution(bindings), step.member(), assigned);
-    return assigned;
-  }
-
-  private static void collect(
-      Effect effect, Substitution bindings, String member, Set<Expression.Fluent> assigned) {
-    if (effect instanceof Effect.All all) {
-      all.effects().forEach(part -> collect(part, bindings, member, assigned));
-    } else if (effect instanceof Effect.When when) {
-      collect(when.effect(), bindings, member, assigned);
-    } else if (effect instanceof Effect.Change change
-        && change.assignment() == Effect.Assignment.ASSIGN) {
-      Expression.Fluent fluent = bindings.apply(change.fluent());
-      if (fluent.arguments().contains(new Term.Name(member))) {
-        assigned.add(fluent);
-      }
-    }
   }
 }

@@ -13,6 +13,7 @@ import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.Roster;
+import org.maestro.coordination.undoing.FormerFacts;
 import org.maestro.planning.api.StepKey;
 import org.maestro.rats.bounded.BoundedMap;
 
@@ -29,6 +30,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
   private final ActionDispatcher dispatcher;
   private final Journal journal;
   private final Roster roster;
+  private final FormerFacts former;
   private final String life;
   private final Map<String, Integer> callsByGoal = new HashMap<>();
   private final Latest<Integer> callsOfEnded =
@@ -40,19 +42,28 @@ public final class JournaledDispatcher implements ActionDispatcher {
   private record Owed(String goalId, StepKey step) {}
 
   /**
+   * @param former told of each order
    * @param since when this coordinator began, which makes the names of its calls its own
    */
   public JournaledDispatcher(
-      ActionDispatcher dispatcher, Journal journal, Roster roster, Instant since) {
+      ActionDispatcher dispatcher,
+      Journal journal,
+      Roster roster,
+      FormerFacts former,
+      Instant since) {
     this.dispatcher = dispatcher;
     this.journal = journal;
     this.roster = roster;
+    this.former = former;
     this.life = Long.toString(since.toEpochMilli(), Character.MAX_RADIX);
   }
 
   /** An order that names its call already stands in the journal. */
   @Override
   public Handle perform(Request order, Consumer<Report> reported) {
+    if (!order.ends()) {
+      former.begun(order);
+    }
     if (order.call().isPresent()) {
       Sending again = new Sending(order, reported);
       again.send();
@@ -179,6 +190,7 @@ public final class JournaledDispatcher implements ActionDispatcher {
       }
       journal.write(end(report));
       reported.accept(report);
+      former.ended(order);
     }
 
     private JournalEntry end(Report report) {

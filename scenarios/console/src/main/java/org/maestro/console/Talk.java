@@ -51,6 +51,7 @@ final class Talk implements AutoCloseable {
                 stories,
                 platform.dialogues()::with),
             questions::answer,
+            questions::hear,
             platform.dialogues(),
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);

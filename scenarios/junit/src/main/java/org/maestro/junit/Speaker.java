@@ -60,6 +60,12 @@ public final class Speaker {
     return Saying.begin(site, new Utterance(person, room, text, Optional.empty()), patience);
   }
 
+  /** Says something after which more is to come, and lets time pass until that is answered. */
+  public Unfinished begins(String text) {
+    spoke = site.clock().now();
+    return Unfinished.begin(site, new Utterance(person, room, text, Optional.empty()), patience);
+  }
+
   /**
    * Lets time pass until she hears this sentence, after all that she has waited for before; fails
    * the test when she does not.

@@ -8,6 +8,7 @@ import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -24,6 +25,7 @@ import picocli.CommandLine.Spec;
     })
 final class SayCommand implements Callable<Integer> {
   private static final long LOOK_EVERY_MILLIS = 200;
+  private static final int LONGEST_WORD = 5;
 
   @Spec private CommandSpec spec;
   @Mixin private PlatformOptions platform;
@@ -32,10 +34,32 @@ final class SayCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "WORDS", description = "What is said.")
   private List<String> words;
 
+  @Option(
+      names = "--trace",
+      description =
+          "Say it word by word, as a microphone would hear it, and show what is looked at, begun"
+              + " and done meanwhile.")
+  private boolean trace;
+
+  @Option(
+      names = "--word-seconds",
+      paramLabel = "S",
+      defaultValue = "0.3",
+      description = "From one word to the next, with --trace; default ${DEFAULT-VALUE}.")
+  private double wordSeconds;
+
   @Override
   public Integer call() throws InterruptedException {
     PrintWriter out = spec.commandLine().getOut();
+    if (!(wordSeconds >= 0 && wordSeconds <= LONGEST_WORD)) {
+      throw CommandException.badInput(
+          "--word-seconds has to be from 0 to %d.".formatted(LONGEST_WORD));
+    }
     try (AskedPlatform asked = platform.ask()) {
+      if (trace) {
+        return new SpokenTrace(asked, speaker.person(), speaker.room(), out)
+            .say(List.of(String.join(" ", words).strip().split("\\s+")), wordSeconds);
+      }
       Conversing conversation =
           speaker.conversing(
               asked,

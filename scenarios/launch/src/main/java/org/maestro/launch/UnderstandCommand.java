@@ -2,13 +2,20 @@ package org.maestro.launch;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.PrintWriter;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jline.terminal.Attributes;
+import org.jline.terminal.Terminal;
+import org.jline.terminal.TerminalBuilder;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
 import org.maestro.language.reference.Discourse;
@@ -76,6 +83,11 @@ final class UnderstandCommand implements Callable<Integer> {
   private boolean wordByWord;
 
   @Option(
+      names = "--type",
+      description = "Show it word by word as it is typed here; Ctrl-D ends it.")
+  private boolean typed;
+
+  @Option(
       names = "--unused",
       description = "Show at the end which rules of the grammar none of the utterances uses.")
   private boolean unused;
@@ -88,14 +100,22 @@ final class UnderstandCommand implements Callable<Integer> {
     if (unused && json) {
       throw CommandException.badInput("--unused prints no JSON; leave --json away.");
     }
-    if (words.isPresent() == file.isPresent()) {
-      throw CommandException.badInput("Give words in quotes, or --file, not both.");
+    if (typed && (json || unused || wordByWord)) {
+      throw CommandException.badInput(
+          "--type shows words as they are typed; leave --words, --json and --unused away.");
+    }
+    if (Stream.of(words.isPresent(), file.isPresent(), typed).filter(given -> given).count() != 1) {
+      throw CommandException.badInput("Give words in quotes, or --file, or --type, one of them.");
     }
     Home there = Shipped.home(home);
     Facts facts = SceneFacts.of(there, scene.map(name -> Shipped.scene(name, there)));
     UnderstoodText text = new UnderstoodText();
     UsedRules rules = new UsedRules();
     PrintWriter out = spec.commandLine().getOut();
+    if (typed) {
+      type(there, facts, out);
+      return ExitCode.DONE;
+    }
     List<String> lines =
         file.map(UnderstandCommand::lines).orElseGet(() -> List.of(words.orElseThrow()));
     for (String line : lines) {
@@ -103,15 +123,7 @@ final class UnderstandCommand implements Callable<Integer> {
       Optional<String> said =
           column(columns, 1).or(() -> speaker).map(name -> individual(there, name));
       Language language = spoken.of(there, said);
-      Situation situation =
-          new Situation(
-              there,
-              facts,
-              said,
-              column(columns, 2).or(() -> room).map(name -> individual(there, name)),
-              robot.map(name -> individual(there, name)),
-              minuteOfDay(),
-              Discourse.NONE);
+      Situation situation = situation(there, facts, said, column(columns, 2).or(() -> room));
       Optional<String> before = column(columns, 3);
       if (before.isPresent()) {
         situation =
@@ -141,6 +153,44 @@ final class UnderstandCommand implements Callable<Integer> {
     }
     rules.print(out);
     return ExitCode.DONE;
+  }
+
+  private Situation situation(
+      Home there, Facts facts, Optional<String> said, Optional<String> where) {
+    return new Situation(
+        there,
+        facts,
+        said,
+        where.map(name -> individual(there, name)),
+        robot.map(name -> individual(there, name)),
+        minuteOfDay(),
+        Discourse.NONE);
+  }
+
+  /** Keys come one by one from a terminal, and as they are from a pipe. */
+  private void type(Home there, Facts facts, PrintWriter out) {
+    Optional<String> said = speaker.map(name -> individual(there, name));
+    Language language = spoken.of(there, said);
+    Situation situation = situation(there, facts, said, room);
+    try {
+      if (Optional.ofNullable(System.console()).isEmpty()) {
+        Reader keys = new InputStreamReader(System.in, StandardCharsets.UTF_8);
+        new TypedWords(keys, out, false, language, situation).understand();
+        return;
+      }
+      try (Terminal terminal = TerminalBuilder.builder().dumb(true).build()) {
+        Attributes usual = terminal.enterRawMode();
+        try {
+          new TypedWords(terminal.reader(), terminal.writer(), true, language, situation)
+              .understand();
+        } finally {
+          terminal.setAttributes(usual);
+        }
+      }
+    } catch (IOException e) {
+      throw CommandException.badInput(
+          "What is typed cannot be read any more: %s.".formatted(e.getMessage()));
+    }
   }
 
   private static Optional<String> column(String[] columns, int index) {

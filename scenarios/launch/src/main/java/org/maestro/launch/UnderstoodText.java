@@ -8,9 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.maestro.language.Language;
-import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.meaning.Meaning;
@@ -24,55 +22,42 @@ final class UnderstoodText {
 
   void print(Understanding understood, PrintWriter out) {
     out.println(understood.utterance());
-    understood.message().ifPresent(message -> out.println("  means  " + SlPrinter.print(message)));
-    understood.question().ifPresent(question -> out.println("  asks   " + question));
+    lines(understood).forEach(out::println);
+  }
+
+  /** What became of it, a line each. */
+  List<String> lines(Understanding understood) {
+    List<String> lines = new ArrayList<>();
+    understood.message().ifPresent(message -> lines.add("  means  " + SlPrinter.print(message)));
+    understood.question().ifPresent(question -> lines.add("  asks   " + question));
     if (understood.message().isEmpty() && understood.question().isPresent()) {
       understood.meanings().stream()
           .map(Meaning::message)
           .flatMap(Optional::stream)
           .distinct()
           .limit(MOST_NAMED)
-          .forEach(message -> out.println("  may mean " + SlPrinter.print(message)));
+          .forEach(message -> lines.add("  may mean " + SlPrinter.print(message)));
     }
-    understood.reply().ifPresent(reply -> out.println("  says   " + reply));
+    understood.reply().ifPresent(reply -> lines.add("  says   " + reply));
     for (Heard word : understood.heard()) {
       if (word.fate() != Heard.Fate.TAKEN) {
-        out.printf(
-            "  %s is %s%s%n",
-            word.word(),
-            word.fate().name().toLowerCase(Locale.ROOT),
-            word.as().map(other -> " (taken for " + other + ")").orElse(""));
+        lines.add(
+            "  %s is %s%s"
+                .formatted(
+                    word.word(),
+                    word.fate().name().toLowerCase(Locale.ROOT),
+                    word.as().map(other -> " (taken for " + other + ")").orElse("")));
       }
     }
+    return lines;
   }
 
-  /** A line for each word and reading: what may still fill its roles. */
+  /** A line for each word and reading: what may still fill its roles, and what is done then. */
   void narrowing(Language language, String utterance, Situation situation, PrintWriter out) {
-    Listening listening = language.listen(situation);
+    WordTable table = new WordTable(language, situation);
     List<List<String>> rows = new ArrayList<>();
-    for (String word : language.words(utterance)) {
-      listening.hear(word);
-      String shown = word;
-      for (Understanding.UnderWay reading : listening.underWay()) {
-        rows.add(List.of(shown, reading.construction(), roles(reading)));
-        shown = "";
-      }
-      if (!shown.isEmpty()) {
-        rows.add(List.of(shown, "", ""));
-      }
-    }
-    new Table(List.of("word", "reading", "may be"), rows).print(out);
-  }
-
-  private static String roles(Understanding.UnderWay reading) {
-    return reading.roles().entrySet().stream()
-        .filter(role -> !role.getValue().isEmpty())
-        .map(
-            role ->
-                role.getValue().size() > MOST_NAMED
-                    ? role.getKey() + ": " + role.getValue().size()
-                    : role.getKey() + ": " + String.join(", ", role.getValue()))
-        .collect(Collectors.joining("; "));
+    language.words(utterance).forEach(word -> rows.addAll(table.hear(word)));
+    new Table(WordTable.COLUMNS, rows).print(out);
   }
 
   ObjectNode document(Understanding understood) {

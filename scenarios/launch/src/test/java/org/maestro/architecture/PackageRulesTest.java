@@ -219,7 +219,14 @@ class PackageRulesTest {
           .orShould()
           .dependOnClassesThat()
           .resideInAnyPackage(
-              within("allocation", "achievement", "maintenance", "scripts", "worth", "agenda"));
+              within(
+                  "allocation",
+                  "achievement",
+                  "maintenance",
+                  "scripts",
+                  "worth",
+                  "agenda",
+                  "undoing"));
 
   @ArchTest
   static final ArchRule COORDINATIONS_API_KNOWS_NONE_OF_ITS_PARTS =

@@ -74,8 +74,37 @@ class ConsoleOfPlatformTest {
           .startsWith("You asked me to turn on lamp A1 and lamp A2, ");
       assertThat(command("say", "never mind", "--as", "Bob", "--in", "room-a"))
           .isEqualTo("There is nothing to call off.");
+      assertThat(command("say", "undo that", "--as", "Bob", "--in", "room-a"))
+          .as("they were on before")
+          .isEqualTo("There is nothing to undo.");
+      assertThat(command("say", "turn off lamp A1", "--as", "Bob", "--in", "room-a"))
+          .contains("Lamp A1 is off.");
+      assertThat(command("say", "undo that", "--as", "Bob", "--in", "room-a"))
+          .contains("Lamp A1 is on.");
       assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a"))
           .isEqualTo("Room B.");
+    }
+  }
+
+  /** The stations of figure 3 of the ADE paper (A51): what is certain is begun before the end. */
+  @Test
+  void whatIsSaidWordByWordIsTraced() throws Exception {
+    try (JavaProcess platform = run("--console", "0")) {
+      await(platform, SERVED);
+
+      assertThat(command("say", "turn off the lamp", "--as", "Bob", "--in", "room-a", "--trace"))
+          .contains("9  Which lamp, lamp A1 or lamp A2?");
+      assertThat(
+              command("say", "turn off lamp A2 please", "--as", "Bob", "--in", "room-a", "--trace")
+                  .lines()
+                  .map(line -> line.replaceAll("^ *[\\d.]+ +(?=\\d )", "")))
+          .containsSubsequence("1  turn", "1  A2", "2  G1 is begun", "4  nods", "1  please")
+          .containsSubsequence("3  looks at lamp-a2", "5  (initCNP (:goal (= (level lamp-a2) 0)))")
+          .contains("6  G1", "9  Reached, but not seen.")
+          .anyMatch(line -> line.startsWith("8  Step 1 of 1: "));
+      assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a", "--trace"))
+          .contains("9  Room B.")
+          .containsPattern("Answered \\d+ ms after a word at most, \\d+ ms after the whole");
     }
   }
 

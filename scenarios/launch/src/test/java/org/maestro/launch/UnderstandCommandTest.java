@@ -149,10 +149,12 @@ class UnderstandCommandTest {
 
     assertThat(rows)
         .containsSubsequence(
-            "glass | putting | object: glass-1, glass-2",
-            "floor | putting | object: glass-1, glass-2; where: floor-k",
-            "putting | object: glass-2",
-            "refrigerator | putting | object: glass-2; where: refrigerator",
+            "glass | putting | object: glass-1, glass-2; where: ?",
+            "floor | putting | object: glass-1, glass-2; where: floor-k | looks at glass-2; looks at"
+                + " floor-k",
+            "putting | object: glass-2; where: ?",
+            "refrigerator | putting | object: glass-2; where: refrigerator | begins (in glass-2"
+                + " refrigerator); looks at refrigerator; nods",
             "means | (initCNP (:goal (in glass-2 refrigerator)))");
     assertThat(inTheKitchen("put the glass on the floor"))
         .contains("(initCNP (:goal (on glass-1 floor-k)))");
@@ -183,7 +185,8 @@ class UnderstandCommandTest {
 
   @Test
   void whatIsGivenWronglyIsTold() {
-    assertThat(refused("understand")).contains("Give words in quotes, or --file, not both.");
+    assertThat(refused("understand")).contains("Give words in quotes, or --file, or --type");
+    assertThat(refused("understand", "--type", "--json")).contains("leave --words, --json and");
     assertThat(refused("understand", "hello", "--in", "attic")).contains("The home has no attic");
     assertThat(refused("understand", "hello", "--at", "soon")).contains("--at soon is no time");
   }

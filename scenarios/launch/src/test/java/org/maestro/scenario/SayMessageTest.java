@@ -100,6 +100,40 @@ class SayMessageTest {
         .isEqualTo("(inform (:means \"(query-if (switchedOn stereo))\") (:reply \"Yes.\"))");
   }
 
+  /** A microphone tells each word; the last message is the whole sentence. */
+  @Test
+  void whatIsCertainIsBegunBeforeTheEnd() throws Exception {
+    ACLMessage first = answer("(say \"turn on the\" (:by Rose) (:in bedroom) (:more true))");
+    assertThat(first.getPerformative()).isEqualTo(ACLMessage.INFORM);
+    assertThat(first.getContent()).isEqualTo("(inform (:nods false))");
+    ACLMessage certain =
+        answer("(say \"turn on the bathroom light\" (:by Rose) (:in bedroom) (:more true))");
+    assertThat(certain.getContent())
+        .matches("\\(inform \\(:looks bath-lamp\\) \\(:nods true\\) \\(:begun G\\d+\\)\\)");
+    String begun = certain.getContent().replaceAll(".*begun (G\\d+).*", "$1");
+
+    ACLMessage agree = answer("(say \"turn on the bathroom light please\" (:by Rose))");
+    assertThat(agree.getPerformative()).as(agree.toString()).isEqualTo(ACLMessage.AGREE);
+    assertThat(agree.getContent()).contains("(:goals " + begun + ")");
+    assertThat(guest.agent().heard().getContent()).contains("(:state achieved)");
+  }
+
+  @Test
+  void whatAGoalHasChangedIsTakenBack() throws Exception {
+    assertThat(answer("(initCNP (:goal (= (level kids-lamp) 0.4)))").getContent())
+        .contains("initCNP");
+    String goal = guest.agent().heard().getContent().replaceAll("(?s).*?(G\\d+).*", "$1");
+
+    assertThat(answer("(query-ref (:before %s))".formatted(goal)).getContent())
+        .contains("(:before \"(= (level kids-lamp) 1)\")");
+    assertThat(answer("(undo (:goal %s))".formatted(goal)).getPerformative())
+        .isEqualTo(ACLMessage.AGREE);
+    assertThat(guest.agent().heard().getContent()).contains("(= (level kids-lamp) 1)");
+    assertRefused("(undo (:goal G9999))", "There is no goal G9999");
+    assertRefused("(query-ref (:before G9999))", "There is no goal G9999");
+    assertThat(answer("(undo)").getPerformative()).isEqualTo(ACLMessage.NOT_UNDERSTOOD);
+  }
+
   @Test
   void whatIsAskedAboutGoalsIsForTheConsole() throws Exception {
     for (String said :

@@ -64,6 +64,7 @@ final class BodyCheck {
       case "string" -> value.isTextual();
       case "number" -> value.isNumber();
       case "integer" -> value.canConvertToInt() && value.asDouble() == value.asInt();
+      case "boolean" -> value.isBoolean();
       case "null" -> value.isNull();
       case "object" -> value.isObject();
       case "array" -> value.isArray() && isOfTexts(value);
@@ -83,6 +84,7 @@ final class BodyCheck {
     return switch (type) {
       case "string" -> "a text";
       case "integer" -> "a whole number";
+      case "boolean" -> "true or false";
       case "null" -> "null";
       case "object" -> "an object";
       case "array" -> "a list of texts";

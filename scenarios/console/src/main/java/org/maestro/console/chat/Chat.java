@@ -41,6 +41,7 @@ public final class Chat implements Source {
   private final Supplier<Home> home;
   private final Function<String, Interlocutor> partners;
   private final Answering answering;
+  private final WordByWord hearing;
   private final Dialogues dialogues;
   private final InstantSource wall;
   private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
@@ -50,17 +51,20 @@ public final class Chat implements Source {
    * @param home as it is known at the time
    * @param partners makes who answers the person of that name
    * @param answering where answers to questions of scripts go
+   * @param hearing where words go as they are heard
    * @param dialogues what persons have said before, and scripts have asked
    */
   public Chat(
       Supplier<Home> home,
       Function<String, Interlocutor> partners,
       Answering answering,
+      WordByWord hearing,
       Dialogues dialogues,
       InstantSource wall) {
     this.home = home;
     this.partners = partners;
     this.answering = answering;
+    this.hearing = hearing;
     this.dialogues = dialogues;
     this.wall = wall;
   }
@@ -77,6 +81,15 @@ public final class Chat implements Source {
             .by(Role.OPERATOR)
             .taking("chat-request")
             .answering(CREATED, "chat-accepted"),
+        Operation.asking(
+                Operation.Method.POST,
+                "/chat/heard",
+                "hear",
+                "Tells words of a person as they are heard; what is certain is begun before the end.",
+                "chat-heard",
+                request -> hear(read(request), request.body().path("more").asBoolean(false)))
+            .by(Role.OPERATOR)
+            .taking("chat-heard-request"),
         Operation.get(
                 "/chat",
                 "chat",
@@ -142,6 +155,14 @@ public final class Chat implements Source {
               throw RefusalException.badInput(sentence);
             });
     return utterance;
+  }
+
+  /** What was said whole stands in the conversation. */
+  private CompletableFuture<JsonNode> hear(Utterance utterance, boolean more) {
+    if (!more) {
+      add(ChatEntry.said(utterance, wall.instant()));
+    }
+    return hearing.hear(utterance, more);
   }
 
   /** Hands it over; returned is the number under which it is kept. */

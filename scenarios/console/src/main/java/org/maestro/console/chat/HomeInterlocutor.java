@@ -10,6 +10,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.console.questions.AclQuestions;
+import org.maestro.console.questions.FormerState;
 import org.maestro.dialogue.Reading;
 import org.maestro.dialogue.SpokenWords;
 import org.maestro.dialogue.Utterance;
@@ -120,6 +121,8 @@ public final class HomeInterlocutor implements Interlocutor {
       goals.state(several.formulas(), utterance, words, listener);
     } else if (reading instanceof Reading.Again) {
       again(utterance, words, listener);
+    } else if (reading instanceof Reading.Undone) {
+      undo(utterance, words, listener);
     } else if (reading instanceof Reading.About about) {
       tell(answers(utterance).of(about, utterance.person(), words), words, listener);
     } else if (reading instanceof Reading.Able able) {
@@ -223,6 +226,25 @@ public final class HomeInterlocutor implements Interlocutor {
                 listener.accept(new ChatEvent.Told("", words.phrase("again-nothing")));
               } else {
                 goals.state(formulas, utterance, words, listener);
+              }
+            })
+        .exceptionally(failure -> refused(failure, words, listener));
+  }
+
+  /** What she has asked for last is called off, and what was so before is stated. */
+  private void undo(Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    new TakingBack(questions, answers(utterance), stated)
+        .last(utterance)
+        .thenAccept(
+            former -> {
+              List<String> wishes = former.stream().flatMap(one -> one.wish().stream()).toList();
+              if (!wishes.isEmpty()) {
+                goals.state(wishes, utterance, words, listener);
+              } else {
+                boolean isKnown = former.stream().allMatch(FormerState::isKnown);
+                listener.accept(
+                    new ChatEvent.Told(
+                        "", words.phrase(isKnown ? "undo-nothing" : "undo-unknown")));
               }
             })
         .exceptionally(failure -> refused(failure, words, listener));

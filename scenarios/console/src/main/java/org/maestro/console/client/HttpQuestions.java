@@ -110,6 +110,13 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> hear(String person, String room, String text, boolean more) {
+    ObjectNode body = JsonNodeFactory.instance.objectNode();
+    body.put("person", person).put("room", room).put("text", text).put("more", more);
+    return request("POST", "/chat/heard", Optional.of(body));
+  }
+
+  @Override
   public CompletableFuture<JsonNode> said(long after) {
     return get("/chat?after=" + after);
   }

@@ -26,6 +26,7 @@ import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.documents.PlansDocument;
 import org.maestro.console.documents.StoryDocument;
 import org.maestro.console.documents.WordsDocument;
+import org.maestro.dialogue.Utterance;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -174,6 +175,27 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> hear(String person, String room, String text, boolean more) {
+    return heardByTheConsole();
+  }
+
+  /**
+   * Tells the central agent words as they are heard.
+   *
+   * @param words all of the sentence so far
+   * @param more whether others are to come
+   */
+  public CompletableFuture<JsonNode> hear(Utterance words, boolean more) {
+    CompletableFuture<JsonNode> answer = new CompletableFuture<>();
+    if (more) {
+      desk.overhear(words, reply -> answer.complete(HeardDocument.of(desk.clock().now(), reply)));
+    } else {
+      desk.say(words, reply -> answer.complete(HeardDocument.of(desk.clock().now(), reply)));
+    }
+    return answer;
+  }
+
+  @Override
   public CompletableFuture<JsonNode> said(long after) {
     return heardByTheConsole();
   }
@@ -206,6 +228,15 @@ public final class AclQuestions implements Questions {
     person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
     return ask(ACLMessage.REQUEST, AgentNames.COORDINATOR, new Content("cancel", arguments))
         .thenAccept(lines -> {});
+  }
+
+  /** What was so before a goal that is over. */
+  public CompletableFuture<FormerState> before(String goal) {
+    return ask(
+            ACLMessage.QUERY_REF,
+            AgentNames.COORDINATOR,
+            read("query-ref", List.of(Words.named("before", Words.name(goal)))))
+        .thenApply(lines -> FormerState.of(lines.get(0)));
   }
 
   @Override

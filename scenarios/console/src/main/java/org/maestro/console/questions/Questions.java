@@ -63,6 +63,15 @@ public interface Questions {
       String person, String room, String text, Optional<String> language);
 
   /**
+   * Tells words of a person as they are heard.
+   *
+   * @param text all of the sentence so far
+   * @param more whether other words are to come
+   * @return what is looked at and begun meanwhile, and what comes of the whole
+   */
+  CompletableFuture<JsonNode> hear(String person, String room, String text, boolean more);
+
+  /**
    * What was said lately, and what became of it.
    *
    * @param after a number; only what has a higher one
