@@ -17,6 +17,7 @@ final class ForgedWords {
   private static final String SECURED = "the site is secured: nobody else can say so";
 
   private final Bench bench;
+  private static final int TRIES = 3;
   private static final String FORGED = "{\"label\":\"not what it is\"}";
 
   private final Appearance appearance;
@@ -113,21 +114,30 @@ final class ForgedWords {
     String topic = bench.topics().description(bench.member());
     // What it tells anew because of what came before is said by then.
     bench.dialogue().result(bench.dialogue().ping());
+    for (int tries = 0; tries < TRIES; tries++) {
+      if (isToldAgain(topic, own.get())) {
+        return kept(DeviceRule.FORGED_DESCRIPTION, "it tells its own again");
+      }
+    }
+    bench.examiner().sendRetained(topic, own.get().toString().getBytes(UTF_8));
+    return broken(DeviceRule.FORGED_DESCRIPTION, "it does not tell its own again");
+  }
+
+  /**
+   * Whether its own description is the last word after a forged one. Of two senders' messages a
+   * broker may keep the earlier one, whatever the member does, so that once is no proof.
+   */
+  private boolean isToldAgain(String topic, JsonNode own) {
     int since = bench.examiner().now();
     bench.examiner().sendRetained(topic, FORGED.getBytes(UTF_8));
-    boolean isToldAgain =
-        bench
+    return bench
             .examiner()
             .awaitAfter(
                 since,
                 heard -> heard.topic().equals(topic) && heard.content().toString().equals(FORGED),
-                heard -> heard.topic().equals(topic) && heard.content().equals(own.get()),
+                heard -> heard.topic().equals(topic) && heard.content().equals(own),
                 bench.patience().answersWithin())
-            .isPresent();
-    if (isToldAgain || bench.examiner().stands(topic, own.get())) {
-      return kept(DeviceRule.FORGED_DESCRIPTION, "it tells its own again");
-    }
-    bench.examiner().sendRetained(topic, own.get().toString().getBytes(UTF_8));
-    return broken(DeviceRule.FORGED_DESCRIPTION, "it does not tell its own again");
+            .isPresent()
+        || bench.examiner().stands(topic, own);
   }
 }
