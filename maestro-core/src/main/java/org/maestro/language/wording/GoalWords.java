@@ -170,6 +170,11 @@ public final class GoalWords {
                 "first", String.join(", ", choices.subList(0, last)), "last", choices.get(last)));
   }
 
+  /** Whether that is meant, which could have been said. */
+  public String meaning(String said) {
+    return with("mean-said", "said", said);
+  }
+
   /** What each is called in that question. */
   public List<String> choices(List<Wish> wishes) {
     return wishes.stream().map(this::choice).toList();

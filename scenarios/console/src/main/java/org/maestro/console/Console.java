@@ -86,7 +86,8 @@ public final class Console implements AutoCloseable {
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic =
         new Traffic(platform, name, observer, after -> history.answered(Answerer.MEMBERS, after));
-    Talk talk = new Talk(platform, questions.of(readership.nameOfAll()), readership);
+    Talk talk =
+        new Talk(platform, questions.of(readership.nameOfAll()), readership, serving.paraphraser());
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
     Queries queries = new Queries(platform.knowledge());
     OneByOne lookingBack =

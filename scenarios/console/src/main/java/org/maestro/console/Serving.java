@@ -9,18 +9,26 @@ import java.util.TreeSet;
 import org.maestro.console.access.Access;
 import org.maestro.console.access.OpenAccess;
 import org.maestro.console.access.PersonsAccess;
+import org.maestro.dialogue.Paraphraser;
 import org.maestro.rats.security.SiteSecurity;
 
 /**
- * The address at which a console is served, and whom it serves.
+ * The address at which a console is served, whom it serves, and whom it asks itself.
  *
  * @param host an address of this machine
  * @param port 0: a free one
  * @param security of a secured site, which is served by TLS and where persons sign in; empty:
  *     whoever is on this machine may all
+ * @param paraphraser who is asked what was meant where nobody here understands it
  */
-public record Serving(String host, int port, Optional<SiteSecurity> security) {
+public record Serving(
+    String host, int port, Optional<SiteSecurity> security, Paraphraser paraphraser) {
   public static final String LOOPBACK = "127.0.0.1";
+
+  /** Where nobody else is asked. */
+  public Serving(String host, int port, Optional<SiteSecurity> security) {
+    this(host, port, security, Paraphraser.NOBODY);
+  }
 
   /** Of an open site. */
   public static Serving onLoopback(int port) {

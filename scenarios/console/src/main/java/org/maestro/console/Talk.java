@@ -14,6 +14,7 @@ import org.maestro.console.chat.HomeInterlocutor;
 import org.maestro.console.chat.Moods;
 import org.maestro.console.chat.Surroundings;
 import org.maestro.console.questions.AclQuestions;
+import org.maestro.dialogue.Paraphraser;
 import org.maestro.platform.MaestroPlatform;
 
 /** The dialogues with persons of the home, for who takes part in them. */
@@ -33,7 +34,11 @@ final class Talk implements AutoCloseable {
   private final Broadcast news;
   private List<Future<?>> rounds = List.of();
 
-  Talk(MaestroPlatform platform, AclQuestions questions, Readership readership) {
+  Talk(
+      MaestroPlatform platform,
+      AclQuestions questions,
+      Readership readership,
+      Paraphraser paraphraser) {
     this.platform = platform;
     this.readership = readership;
     this.chat =
@@ -49,7 +54,8 @@ final class Talk implements AutoCloseable {
                     readership),
                 questions,
                 stories,
-                platform.dialogues()::with),
+                platform.dialogues()::with,
+                paraphraser),
             questions::answer,
             questions::hear,
             platform.dialogues(),

@@ -33,6 +33,7 @@ import org.maestro.assembly.SiteSettings;
 import org.maestro.console.api.Api;
 import org.maestro.console.truth.TrueThing;
 import org.maestro.console.truth.Truth;
+import org.maestro.dialogue.Paraphraser;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.security.Role;
@@ -105,6 +106,18 @@ final class ServedHome implements AutoCloseable {
         settings -> {},
         Optional.empty(),
         Serving.onLoopback(0),
+        HttpClient.newHttpClient(),
+        ServedHome::truth);
+  }
+
+  /** The same, which asks somebody what was meant. */
+  static ServedHome startAsking(Paraphraser paraphraser) {
+    return start(
+        NAME,
+        new HomeLoader().load(resource("/homes/bob.ttl"), "bob.ttl"),
+        settings -> {},
+        Optional.empty(),
+        new Serving(Serving.LOOPBACK, 0, Optional.empty(), paraphraser),
         HttpClient.newHttpClient(),
         ServedHome::truth);
   }

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.FormerState;
+import org.maestro.dialogue.Paraphraser;
 import org.maestro.dialogue.Reading;
 import org.maestro.dialogue.SpokenWords;
 import org.maestro.dialogue.Utterance;
@@ -30,6 +31,7 @@ public final class HomeInterlocutor implements Interlocutor {
   private final StatedGoals stated;
   private final WrittenTalk written;
   private final SpokenGoals goals;
+  private final Paraphraser paraphraser;
 
   /** What was asked back about goals; guarded by this. */
   private Optional<Open> open = Optional.empty();
@@ -39,6 +41,9 @@ public final class HomeInterlocutor implements Interlocutor {
     /** Whether to find something out, by that goal. */
     record Look(String goal) implements Open {}
 
+    /** Whether this is meant, which was not said. */
+    record Instead(String text) implements Open {}
+
     /** Which goal is to be called off. */
     record Which(List<KnownGoal> goals) implements Open {}
   }
@@ -47,34 +52,40 @@ public final class HomeInterlocutor implements Interlocutor {
    * @param spoken the conversation with the person who is answered
    * @param stories of all goals
    * @param stated what was asked for, by whoever
+   * @param paraphraser who is asked what was meant where nobody here understands it
    */
   HomeInterlocutor(
       Surroundings around,
       SpokenWords spoken,
       AclQuestions questions,
       GoalStories stories,
-      StatedGoals stated) {
+      StatedGoals stated,
+      Paraphraser paraphraser) {
     this.around = around;
     this.spoken = spoken;
     this.questions = questions;
     this.stated = stated;
     this.written = new WrittenTalk(around, spoken, questions, stories, stated);
     this.goals = new SpokenGoals(around, spoken, questions, stories, stated);
+    this.paraphraser = paraphraser;
   }
 
   /**
    * Who answers each person of a home, by her name; all know what was asked for by whom.
    *
    * @param conversations the one with each person
+   * @param paraphraser who is asked what was meant where nobody here understands it
    */
   public static Function<String, Interlocutor> of(
       Surroundings around,
       AclQuestions questions,
       GoalStories stories,
-      Function<String, SpokenWords> conversations) {
+      Function<String, SpokenWords> conversations,
+      Paraphraser paraphraser) {
     StatedGoals stated = new StatedGoals();
     return person ->
-        new HomeInterlocutor(around, conversations.apply(person), questions, stories, stated);
+        new HomeInterlocutor(
+            around, conversations.apply(person), questions, stories, stated, paraphraser);
   }
 
   @Override
@@ -99,9 +110,43 @@ public final class HomeInterlocutor implements Interlocutor {
       } else {
         callOff(off, utterance, words, listener);
       }
+    } else if (reading instanceof Reading.Unclear unclear && isSpoken(utterance)) {
+      askAnother(unclear, utterance, words, listener);
     } else {
       respond(reading, utterance, words, listener);
     }
+  }
+
+  /** What nobody here understands somebody else may: then it is asked whether that is meant. */
+  private void askAnother(
+      Reading.Unclear unclear, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
+    paraphraser
+        .proposals(utterance.text(), spoken.sayable(utterance))
+        .thenApply(
+            proposals ->
+                proposals.stream()
+                    .filter(text -> isUnderstood(saying(utterance, text)))
+                    .findFirst())
+        .exceptionally(failure -> Optional.empty())
+        .thenAccept(
+            found ->
+                found.ifPresentOrElse(
+                    text -> {
+                      ask(new Open.Instead(text));
+                      listener.accept(new ChatEvent.Asked(words.meaning(text), List.of()));
+                    },
+                    () -> respond(unclear, utterance, words, listener)));
+  }
+
+  private boolean isUnderstood(Utterance instead) {
+    return isSpoken(instead)
+        ? spoken.isUnderstood(instead)
+        : written.read(instead) instanceof Reading.Goal;
+  }
+
+  private static Utterance saying(Utterance utterance, String text) {
+    return new Utterance(
+        utterance.person(), utterance.room(), text, utterance.asker(), utterance.language());
   }
 
   /** The question that was open; it is open no more. */
@@ -158,6 +203,8 @@ public final class HomeInterlocutor implements Interlocutor {
       Consumer<ChatEvent> listener) {
     if (agreed.yes() && asked.isPresent() && asked.get() instanceof Open.Look look) {
       goals.state(List.of(look.goal()), utterance, words, listener);
+    } else if (agreed.yes() && asked.isPresent() && asked.get() instanceof Open.Instead instead) {
+      hear(saying(utterance, instead.text()), listener);
     } else if (agreed.yes()
         && asked.isPresent()
         && asked.get() instanceof Open.Which which
@@ -281,10 +328,12 @@ public final class HomeInterlocutor implements Interlocutor {
 
   /** What is not written in MAESTRO-SL may be said as people speak. */
   private SpokenWords.Hearing inWords(Utterance utterance) {
+    return isSpoken(utterance) ? spoken.read(utterance) : SpokenWords.Hearing.NONE;
+  }
+
+  private static boolean isSpoken(Utterance utterance) {
     String text = utterance.text().strip();
-    return text.startsWith("(") || text.startsWith("?")
-        ? SpokenWords.Hearing.NONE
-        : spoken.read(utterance);
+    return !text.startsWith("(") && !text.startsWith("?");
   }
 
   /** What nobody understands is told as those tell it who know more words. */
