@@ -122,20 +122,19 @@ public final class HomeInterlocutor implements Interlocutor {
       Reading.Unclear unclear, Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
     paraphraser
         .proposals(utterance.text(), spoken.sayable(utterance))
-        .thenApply(
+        .exceptionally(failure -> List.of())
+        .thenAccept(
             proposals ->
                 proposals.stream()
                     .filter(text -> isUnderstood(saying(utterance, text)))
-                    .findFirst())
-        .exceptionally(failure -> Optional.empty())
-        .thenAccept(
-            found ->
-                found.ifPresentOrElse(
-                    text -> {
-                      ask(new Open.Instead(text));
-                      listener.accept(new ChatEvent.Asked(words.meaning(text), List.of()));
-                    },
-                    () -> respond(unclear, utterance, words, listener)));
+                    .findFirst()
+                    .ifPresentOrElse(
+                        text -> {
+                          ask(new Open.Instead(text));
+                          listener.accept(new ChatEvent.Asked(words.meaning(text), List.of()));
+                        },
+                        () -> respond(unclear, utterance, words, listener)))
+        .exceptionally(failure -> refused(failure, words, listener));
   }
 
   private boolean isUnderstood(Utterance instead) {
