@@ -58,15 +58,16 @@ public final class Lexicon implements WordEntries {
   /** What is asked for with how. */
   public static final String HOW_MUCH = "HowMuch";
 
-  /** What is said of that of which there is much, such as bright; and little, such as dark. */
+  /** What is said of that of which there is much, such as bright. */
   public static final String HIGH = "High";
 
-  /** A name of somebody to whom one speaks: a device, a room. */
+  /** A name of somebody to whom one speaks: a robot. */
   public static final String ADDRESSEE = "Addressee";
 
   /** A word for a state that is one for things, too, such as light. */
   public static final String NOUN_STATE = "NounState";
 
+  /** The opposite of {@link #HIGH}, such as dark. */
   public static final String LOW = "Low";
 
   /** A state: {@code (state lampOn applianceOn)}. */

@@ -24,7 +24,7 @@ import org.maestro.sl.Term;
 /** Gathers the lexicon of a home: its labels and other names are its vocabulary. */
 public final class LexiconOfHome {
   private static final String PLURAL = "plural";
-  private static final String ZONE = "Zone";
+  private static final String THING = "Thing";
   private static final String POSITIVE = "positive";
   private static final String SUPERLATIVE = "superlative";
   private static final String ADJECTIVE_FORMS = "adjective-forms";
@@ -99,10 +99,15 @@ public final class LexiconOfHome {
         });
   }
 
+  /**
+   * Only what acts by itself, as a robot does: the room or the lamp with which a sentence ends may
+   * be what the sentence is about, and is not passed over.
+   */
   private boolean isSpokenTo(String name) {
     Individual individual = home.individuals().get(name);
     return home.devices().containsKey(name)
-        || individual != null && individual.classes().contains(ZONE);
+        && individual != null
+        && individual.classes().contains(THING);
   }
 
   private List<String> forms(String list) {
