@@ -36,6 +36,7 @@ public final class Listening {
   private Interpreter interpreter;
   private final Beginning beginning = new Beginning();
   private int repairs;
+  private boolean isComplete;
   private Optional<Meaning> lastSaid = Optional.empty();
 
   Listening(Grammar grammar, HeardWords words, Situation situation) {
@@ -58,7 +59,11 @@ public final class Listening {
     }
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
-    best(now).ifPresent(meaning -> beginning.understood(word, meaning));
+    Optional<Meaning> best = best(now);
+    best.ifPresent(meaning -> beginning.understood(word, meaning));
+    if (word.codePoints().anyMatch(Character::isLetterOrDigit)) {
+      isComplete = best.flatMap(Meaning::message).isPresent();
+    }
   }
 
   /** The best meaning of what was said so far, if it is certain. */
@@ -93,9 +98,9 @@ public final class Listening {
     return Attention.of(underWay());
   }
 
-  /** Whether it is certain what is wanted, if nothing else follows. */
+  /** Whether it is certain what is wanted, if nothing else follows; a comma changes nothing. */
   public boolean isComplete() {
-    return best(soFar()).flatMap(Meaning::message).isPresent();
+    return isComplete;
   }
 
   /** What may be begun before the end, and what of it is called off by words that followed. */

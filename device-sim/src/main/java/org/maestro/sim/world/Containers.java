@@ -10,8 +10,8 @@ import org.maestro.ontology.home.Home;
 public final class Containers {
   private static final String CONTAINER = "Container";
 
-  /** Half of a narrow cupboard; metres. */
-  private static final double HALF_WIDTH = 0.25;
+  /** What is no farther from the middle is in it; a counter that begins beside it is not. */
+  private static final double OPENING_METRES = 0.1;
 
   private final Set<Position> middles;
 
@@ -30,8 +30,8 @@ public final class Containers {
     return middles.stream()
         .filter(
             middle ->
-                middle.floor().distance(place.floor()) <= HALF_WIDTH
-                    && Math.abs(middle.z() - place.z()) <= HALF_WIDTH)
+                middle.floor().distance(place.floor()) <= OPENING_METRES
+                    && Math.abs(middle.z() - place.z()) <= OPENING_METRES)
         .findFirst();
   }
 }

@@ -17,7 +17,6 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
-import org.maestro.coordination.api.Former;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
@@ -32,7 +31,6 @@ import org.maestro.ontology.home.ReadingRights;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
-import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
 /**
@@ -145,7 +143,7 @@ public final class GoalRequests {
   private void state(Said said, GoalRequest one, SaidGoals goals) {
     Optional<BegunGoal> begun = goals.begun(one.goal());
     if (begun.isPresent()) {
-      goals.answer().accepted(begun.get().id());
+      begun.get().tell(goals.answer());
       begun.get().follow(outcome -> goals.ended(one.goal(), outcome));
       return;
     }
@@ -172,25 +170,19 @@ public final class GoalRequests {
     return privately.objection(said.message(), said.words(), goal).isEmpty();
   }
 
-  /**
-   * Begins a goal before all was said that states it, or after what was said is taken back.
-   *
-   * @return its id; empty when it cannot be one
-   */
-  Optional<String> begin(
-      Said said, Formula goal, Coordinator.Answer answer, Consumer<GoalOutcome> ended) {
+  /** Begins a goal before all was said that states it, or after what was said is taken back. */
+  void begin(Said said, Formula goal, Coordinator.Answer answer, Consumer<GoalOutcome> ended) {
     try {
-      return Optional.of(
-          coordinator.submit(
-              request(said, goal),
-              answer,
-              news -> {},
-              outcome -> {
-                endings.ended(goal, outcome);
-                ended.accept(outcome);
-              }));
+      coordinator.submit(
+          request(said, goal),
+          answer,
+          news -> {},
+          outcome -> {
+            endings.ended(goal, outcome);
+            ended.accept(outcome);
+          });
     } catch (InvalidGoalException e) {
-      return Optional.empty();
+      answer.refused(reason(e));
     }
   }
 
@@ -202,9 +194,12 @@ public final class GoalRequests {
   private static Content invalid(InvalidGoalException why) {
     return Words.content(
         "inform",
-        Words.named(
-            "reason", Words.text(Objects.requireNonNullElse(why.getMessage(), why.toString()))),
+        Words.named("reason", Words.text(reason(why))),
         Words.named("invalid", Words.name("true")));
+  }
+
+  private static String reason(InvalidGoalException why) {
+    return Objects.requireNonNullElse(why.getMessage(), why.toString());
   }
 
   /** Who may not is told so. */
@@ -438,32 +433,14 @@ public final class GoalRequests {
   }
 
   /** Whether who asks is refused, as the goal uses what is private to him. */
-  private boolean isPrivate(ACLMessage message, Words words, String id) {
+  boolean isPrivate(ACLMessage message, Words words, String id) {
     return isKeptBack(
         message, privately.rights(message, words).objection(stories.privateWords(id)));
   }
 
-  private boolean isKeptBack(ACLMessage message, Optional<String> objection) {
+  boolean isKeptBack(ACLMessage message, Optional<String> objection) {
     objection.ifPresent(reason -> agent.refuse(message, ACLMessage.REFUSE, reason));
     return objection.isPresent();
-  }
-
-  /** What was so before a goal, to who may read it. */
-  void tellBefore(ACLMessage message, Words words, String id, Former former) {
-    if (isPrivate(message, words, id)
-        || former.wish().isPresent()
-            && isKeptBack(message, rights(message, words).objection(former.wish().get()))) {
-      return;
-    }
-    List<Content.Argument> told = new ArrayList<>();
-    told.add(Words.named("goal", Words.name(id)));
-    former
-        .wish()
-        .ifPresent(wish -> told.add(Words.named("before", Words.text(SlPrinter.print(wish)))));
-    if (!former.unknown().isEmpty()) {
-      told.add(Words.named("unknown", former.unknown().stream().map(Words::text).toList()));
-    }
-    agent.reply(message, ACLMessage.INFORM, new Content("inform", told));
   }
 
   /** What is said of a goal that is not pursued here. */

@@ -2,7 +2,6 @@ package org.maestro.agents.centre;
 
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,7 +14,6 @@ import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Overheard;
 import org.maestro.dialogue.Reading;
 import org.maestro.knowledge.api.KnowledgeBase;
-import org.maestro.rats.time.Clock;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 
@@ -57,12 +55,16 @@ final class Overhearing {
     Overheard heard = overhear(said);
     UnfinishedSentence sentence =
         byPerson.computeIfAbsent(said.person(), person -> new UnfinishedSentence());
-    sentence.heard(Optional.of(silence(said)));
+    awaitSilence(sentence, said);
     List<String> undone = takeBack(sentence, allowed(said, heard), said);
-    Answers answers = new Answers(said, heard, sentence, undone);
-    List<Formula> missing = sentence.missing();
-    answers.await(missing.size());
-    missing.forEach(goal -> begin(said, goal, sentence, answers));
+    List<BegunGoal> begun = sentence.begin();
+    begun.forEach(goal -> requests.begin(said, goal.goal(), goal, goal::ended));
+    Runnable answer = () -> answer(said, heard, sentence, undone);
+    if (begun.isEmpty()) {
+      answer.run();
+    }
+    Answered answered = new Answered(begun.size(), answer);
+    begun.forEach(goal -> goal.tell(answered));
   }
 
   private Overheard overhear(Said said) {
@@ -89,84 +91,61 @@ final class Overhearing {
     return SlParser.formula(text, knowledge.home().vocabulary()::isFluent);
   }
 
-  private void begin(Said said, Formula goal, UnfinishedSentence sentence, Answers answers) {
-    BegunGoal[] begun = new BegunGoal[1];
-    Optional<String> id =
-        requests.begin(
-            said,
-            goal,
-            answers.to(goal),
-            outcome -> Optional.ofNullable(begun[0]).ifPresent(one -> one.ended(outcome)));
-    id.ifPresentOrElse(
-        name -> {
-          begun[0] = new BegunGoal(name, goal, said.requester());
-          sentence.begun(begun[0]);
-        },
-        () -> answers.told(() -> {}));
+  /** The words are answered once it is certain what was begun. */
+  private void answer(
+      Said said, Overheard heard, UnfinishedSentence sentence, List<String> undone) {
+    agent.reply(
+        said.message(),
+        ACLMessage.INFORM,
+        new OverheardReply(
+                heard.looks(), heard.complete(), sentence.ids(), undone, Optional.empty())
+            .content());
   }
 
-  /** Answers the words once it is certain what was begun. */
-  private final class Answers {
-    private final Said said;
-    private final Overheard heard;
-    private final UnfinishedSentence sentence;
-    private final List<String> undone;
+  /** Whether each of some goals is taken on, or not, has been told. */
+  private static final class Answered implements Coordinator.Answer {
+    private final Runnable then;
     private int awaited;
 
-    Answers(Said said, Overheard heard, UnfinishedSentence sentence, List<String> undone) {
-      this.said = said;
-      this.heard = heard;
-      this.sentence = sentence;
-      this.undone = undone;
+    Answered(int awaited, Runnable then) {
+      this.awaited = awaited;
+      this.then = then;
     }
 
-    void await(int goals) {
-      awaited = goals;
-      answer();
+    @Override
+    public void accepted(String goalId) {
+      told();
     }
 
-    /** The answer to one of them. */
-    Coordinator.Answer to(Formula goal) {
-      return new Coordinator.Answer() {
-        @Override
-        public void accepted(String goalId) {
-          told(() -> {});
-        }
-
-        @Override
-        public void refused(String reason) {
-          told(() -> sentence.forget(goal));
-        }
-      };
+    @Override
+    public void refused(String reason) {
+      told();
     }
 
-    /** It may be told before the goal has its name. */
-    void told(Runnable first) {
-      agent.tell(
-          () -> {
-            first.run();
-            awaited--;
-            answer();
-          });
-    }
-
-    private void answer() {
+    private void told() {
+      awaited--;
       if (awaited == 0) {
-        awaited = -1;
-        agent.reply(
-            said.message(),
-            ACLMessage.INFORM,
-            new OverheardReply(
-                    heard.looks(), heard.complete(), sentence.ids(), undone, Optional.empty())
-                .content());
+        then.run();
       }
     }
   }
 
-  private Clock.Timer silence(Said said) {
-    return agent
-        .clock()
-        .schedule(SILENCE, said.person(), () -> agent.tell(() -> over(said, List.of(), List.of())));
+  /** A word that is heard as the time is up comes first. */
+  private void awaitSilence(UnfinishedSentence sentence, Said said) {
+    int heard = sentence.heard();
+    sentence.waits(
+        agent
+            .clock()
+            .schedule(
+                SILENCE,
+                said.person(),
+                () ->
+                    agent.tell(
+                        () -> {
+                          if (sentence.isSilentSince(heard)) {
+                            over(said, List.of(), List.of());
+                          }
+                        })));
   }
 
   /**
@@ -179,7 +158,7 @@ final class Overhearing {
   UnfinishedSentence over(Said said, List<Reading.Goals> begun, List<Formula> meant) {
     UnfinishedSentence sentence =
         Optional.ofNullable(byPerson.remove(said.person())).orElseGet(UnfinishedSentence::new);
-    sentence.heard(Optional.empty());
+    sentence.heard();
     List<Formula> wanted =
         Stream.concat(
                 begun.stream().flatMap(goals -> goals.formulas().stream()).map(this::formula),
@@ -195,20 +174,37 @@ final class Overhearing {
   }
 
   private List<String> takeBack(UnfinishedSentence sentence, List<Formula> wanted, Said said) {
-    List<String> undone = new ArrayList<>();
-    for (BegunGoal goal : sentence.wants(wanted)) {
-      undone.add(goal.id());
-      coordinator.cancel(goal.id(), said.caller().toString());
+    List<BegunGoal> unwanted = sentence.wants(wanted);
+    unwanted.forEach(goal -> goal.tell(new TakenBack(sentence, said)));
+    return unwanted.stream().flatMap(goal -> goal.id().stream()).toList();
+  }
+
+  /** Calls a goal off once it is taken on, and has it be as it was. */
+  private final class TakenBack implements Coordinator.Answer {
+    private final UnfinishedSentence sentence;
+    private final Said said;
+
+    TakenBack(UnfinishedSentence sentence, Said said) {
+      this.sentence = sentence;
+      this.said = said;
+    }
+
+    @Override
+    public void accepted(String goalId) {
+      coordinator.cancel(goalId, said.caller().toString());
       coordinator.beforeGoal(
-          goal.id(),
+          goalId,
           sentence::wanted,
           former ->
               former
                   .wish()
                   .ifPresent(
-                      wish ->
-                          requests.begin(said, wish, Coordinator.Answer.NOBODY, outcome -> {})));
+                      wish -> requests.begin(said, wish, Coordinator.Answer.NOBODY, end -> {})));
     }
-    return undone;
+
+    @Override
+    public void refused(String reason) {
+      // Nothing was begun.
+    }
   }
 }

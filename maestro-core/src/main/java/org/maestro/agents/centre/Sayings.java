@@ -180,12 +180,14 @@ public final class Sayings {
     return requests.state(said, stated);
   }
 
-  /** What she has asked for last by what agents heard is called off, and is to be as it was. */
+  /** What she has asked for last is called off, and is to be as it was. */
   private void undo(Said said, SpokenWords spoken, String means) {
     List<String> last =
-        Optional.ofNullable(lastByPerson.get(said.person()))
-            .map(SaidGoals::accepted)
-            .orElse(List.of());
+        undoing.last(
+            said.person(),
+            Optional.ofNullable(lastByPerson.get(said.person()))
+                .map(SaidGoals::accepted)
+                .orElse(List.of()));
     Consumer<String> reply =
         phrase ->
             agent.reply(

@@ -9,6 +9,11 @@ import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Former;
+import org.maestro.coordination.api.GoalId;
+import org.maestro.coordination.api.Requester;
+import org.maestro.ontology.home.ReadingRights;
+import org.maestro.sl.Content;
+import org.maestro.sl.SlPrinter;
 
 /**
  * Takes back what goals have changed: they are called off, and what was so before becomes a goal.
@@ -61,9 +66,45 @@ public final class Undoing {
       agent.refuse(
           message, ACLMessage.REFUSE, "The goal %s is not over; cancel it first.".formatted(id));
     } else {
-      coordinator.beforeGoal(
-          id, List::of, former -> requests.tellBefore(message, words, id, former));
+      coordinator.beforeGoal(id, List::of, former -> tell(message, words, id, former));
     }
+  }
+
+  /** To who may read it. */
+  private void tell(ACLMessage message, Words words, String id, Former former) {
+    ReadingRights rights = requests.rights(message, words);
+    if (requests.isPrivate(message, words, id)
+        || requests.isKeptBack(message, former.wish().flatMap(rights::objection))) {
+      return;
+    }
+    List<Content.Argument> told = new ArrayList<>();
+    told.add(Words.named("goal", Words.name(id)));
+    former
+        .wish()
+        .ifPresent(wish -> told.add(Words.named("before", Words.text(SlPrinter.print(wish)))));
+    if (!former.unknown().isEmpty()) {
+      told.add(Words.named("unknown", former.unknown().stream().map(Words::text).toList()));
+    }
+    agent.reply(message, ACLMessage.INFORM, new Content("inform", told));
+  }
+
+  /**
+   * What a person has asked for last, in whichever way.
+   *
+   * @param together goals of one sentence of hers, which belong together
+   */
+  List<String> last(String person, List<String> together) {
+    return coordinator.goals().stream()
+        .filter(
+            goal ->
+                !GoalId.isPart(goal.id())
+                    && Requester.parse(goal.requester())
+                        .person()
+                        .filter(person::equals)
+                        .isPresent())
+        .reduce((earlier, later) -> later)
+        .map(goal -> together.contains(goal.id()) ? together : List.of(goal.id()))
+        .orElse(List.of());
   }
 
   /** Calls the goals off, and tells what was so before all of them. */

@@ -13,6 +13,7 @@ final class UnfinishedSentence {
   private final Map<Formula, BegunGoal> begun = new LinkedHashMap<>();
   private List<Formula> wanted = List.of();
   private Optional<Clock.Timer> silence = Optional.empty();
+  private int words;
 
   /** All that is wanted by what was said so far, or in the end. */
   List<Formula> wanted() {
@@ -22,45 +23,47 @@ final class UnfinishedSentence {
   /** What was begun and is wanted no more, by what is wanted now; it is forgotten here. */
   List<BegunGoal> wants(List<Formula> now) {
     wanted = List.copyOf(now);
-    List<BegunGoal> unwanted = new ArrayList<>();
-    begun
-        .values()
-        .removeIf(
-            goal -> {
-              boolean isUnwanted = !wanted.contains(goal.goal());
-              if (isUnwanted) {
-                unwanted.add(goal);
-              }
-              return isUnwanted;
-            });
+    List<BegunGoal> unwanted =
+        begun.values().stream().filter(goal -> !wanted.contains(goal.goal())).toList();
+    unwanted.forEach(goal -> begun.remove(goal.goal()));
     return unwanted;
   }
 
-  /** What is wanted and was not begun. */
-  List<Formula> missing() {
-    return wanted.stream().filter(goal -> !begun.containsKey(goal)).toList();
-  }
-
-  void begun(BegunGoal goal) {
-    begun.put(goal.goal(), goal);
-  }
-
-  /** It could not be begun after all. */
-  void forget(Formula goal) {
-    begun.remove(goal);
+  /** Begins what is wanted and was not begun, or could not be. */
+  List<BegunGoal> begin() {
+    List<BegunGoal> all = new ArrayList<>();
+    for (Formula goal : wanted) {
+      if (of(goal).isEmpty()) {
+        BegunGoal one = new BegunGoal(goal);
+        begun.put(goal, one);
+        all.add(one);
+      }
+    }
+    return all;
   }
 
   Optional<BegunGoal> of(Formula goal) {
-    return Optional.ofNullable(begun.get(goal));
+    return Optional.ofNullable(begun.get(goal)).filter(one -> !one.isRefused());
   }
 
+  /** Of those that are taken on. */
   List<String> ids() {
-    return begun.values().stream().map(BegunGoal::id).toList();
+    return begun.values().stream().flatMap(goal -> goal.id().stream()).toList();
   }
 
-  /** Another word was heard, or none is to come: the former silence does not count. */
-  void heard(Optional<Clock.Timer> next) {
+  /** Another word was heard, or none is to come; returns how many were. */
+  int heard() {
     silence.ifPresent(Clock.Timer::cancel);
-    silence = next;
+    silence = Optional.empty();
+    return ++words;
+  }
+
+  void waits(Clock.Timer timer) {
+    silence = Optional.of(timer);
+  }
+
+  /** Whether no word was heard since so many were. */
+  boolean isSilentSince(int heard) {
+    return words == heard;
   }
 }

@@ -59,6 +59,7 @@ final class Talk implements AutoCloseable {
             questions::answer,
             questions::hear,
             platform.dialogues(),
+            readership,
             InstantSource.system());
     this.news = new Broadcast("chat", chat, thread);
   }

@@ -31,7 +31,7 @@ class ActingWhileListeningTest {
             .begins("could you lower")
             .doesNotNod()
             .hasBegun(0)
-            .then("the blinds")
+            .then("the blinds,")
             .looksAt("blinds-living")
             .nods()
             .hasBegun(1);

@@ -102,6 +102,9 @@ class ConsoleOfPlatformTest {
           .containsSubsequence("3  looks at lamp-a2", "5  (initCNP (:goal (= (level lamp-a2) 0)))")
           .contains("6  G1", "9  Reached, but not seen.")
           .anyMatch(line -> line.startsWith("8  Step 1 of 1: "));
+      assertThat(command("say", "undo that", "--as", "Bob", "--in", "room-a"))
+          .as("what was said otherwise can be undone here")
+          .contains("Lamp A2 is on.");
       assertThat(command("say", "where is Rose?", "--as", "Bob", "--in", "room-a", "--trace"))
           .contains("9  Room B.")
           .containsPattern("Answered \\d+ ms after a word at most, \\d+ ms after the whole");

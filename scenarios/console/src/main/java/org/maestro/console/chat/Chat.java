@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.documents.ShownText;
@@ -43,6 +44,7 @@ public final class Chat implements Source {
   private final Answering answering;
   private final WordByWord hearing;
   private final Dialogues dialogues;
+  private final Readership readership;
   private final InstantSource wall;
   private final Ring<ChatEntry> entries = new Ring<>(MOST, HEAVIEST);
   private final Map<String, Interlocutor> partnerByPerson = new TreeMap<>();
@@ -53,6 +55,7 @@ public final class Chat implements Source {
    * @param answering where answers to questions of scripts go
    * @param hearing where words go as they are heard
    * @param dialogues what persons have said before, and scripts have asked
+   * @param readership who may read what is private
    */
   public Chat(
       Supplier<Home> home,
@@ -60,12 +63,14 @@ public final class Chat implements Source {
       Answering answering,
       WordByWord hearing,
       Dialogues dialogues,
+      Readership readership,
       InstantSource wall) {
     this.home = home;
     this.partners = partners;
     this.answering = answering;
     this.hearing = hearing;
     this.dialogues = dialogues;
+    this.readership = readership;
     this.wall = wall;
   }
 
@@ -157,12 +162,20 @@ public final class Chat implements Source {
     return utterance;
   }
 
-  /** What was said whole stands in the conversation. */
+  /** What was said whole stands in the conversation, and so does the answer. */
   private CompletableFuture<JsonNode> hear(Utterance utterance, boolean more) {
-    if (!more) {
-      add(ChatEntry.said(utterance, wall.instant()));
+    if (more) {
+      return hearing.hear(utterance, true);
     }
-    return hearing.hear(utterance, more);
+    add(ChatEntry.said(utterance, wall.instant()));
+    return hearing
+        .hear(utterance, false)
+        .whenComplete(
+            (heard, failure) -> {
+              if (failure == null) {
+                HeardAnswer.of(heard, readership.ofAll()).forEach(event -> tell(utterance, event));
+              }
+            });
   }
 
   /** Hands it over; returned is the number under which it is kept. */

@@ -279,7 +279,7 @@ public final class HomeInterlocutor implements Interlocutor {
 
   /** What she has asked for last is called off, and what was so before is stated. */
   private void undo(Utterance utterance, GoalWords words, Consumer<ChatEvent> listener) {
-    new TakingBack(questions, answers(utterance), stated)
+    new TakingBack(questions, answers(utterance))
         .last(utterance)
         .thenAccept(
             former -> {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Requester;
 import org.maestro.language.wording.Wish;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -71,6 +72,7 @@ record KnownGoal(
         formula(row.path("goal").asText(), home),
         GoalState.valueOf(row.path("state").asText().toUpperCase(Locale.ROOT)),
         how.map(StatedGoals.Stated::person)
+            .or(() -> Requester.parse(requester).person())
             .or(() -> Optional.of(requester).filter(name -> isPerson(name, home))),
         how.map(StatedGoals.Stated::words),
         how.map(StatedGoals.Stated::turn).orElse(0L),

@@ -15,12 +15,10 @@ import org.maestro.dialogue.Utterance;
 final class TakingBack {
   private final AclQuestions questions;
   private final GoalAnswers answers;
-  private final StatedGoals stated;
 
-  TakingBack(AclQuestions questions, GoalAnswers answers, StatedGoals stated) {
+  TakingBack(AclQuestions questions, GoalAnswers answers) {
     this.questions = questions;
     this.answers = answers;
-    this.stated = stated;
   }
 
   /** What was so before each of the goals that she has asked for last, the latest first. */
@@ -35,12 +33,16 @@ final class TakingBack {
             });
   }
 
-  /** What she has said counts before what is known to be hers. */
-  private List<KnownGoal> lastOf(List<KnownGoal> all, String person) {
-    List<String> said = stated.lastOf(person);
-    List<KnownGoal> last = all.stream().filter(goal -> said.contains(goal.id())).toList();
+  /** The newest goal that is hers, in whichever way it was stated, and those of its turn. */
+  private static List<KnownGoal> lastOf(List<KnownGoal> all, String person) {
     List<KnownGoal> own = all.stream().filter(goal -> goal.isBy(person)).toList();
-    return last.isEmpty() && !own.isEmpty() ? List.of(own.get(own.size() - 1)) : last;
+    if (own.isEmpty()) {
+      return own;
+    }
+    KnownGoal newest = own.get(own.size() - 1);
+    return newest.turn() == 0
+        ? List.of(newest)
+        : own.stream().filter(goal -> goal.turn() == newest.turn()).toList();
   }
 
   private CompletableFuture<List<FormerState>> before(List<KnownGoal> goals, Utterance utterance) {

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -14,6 +15,7 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -64,10 +66,17 @@ public final class ChatCompletions implements Paraphraser {
             .header("Content-Type", "application/json")
             .POST(HttpRequest.BodyPublishers.ofString(body(said, known).toString()));
     key.ifPresent(secret -> request.header("Authorization", "Bearer " + secret));
-    return client
-        .sendAsync(request.build(), HttpResponse.BodyHandlers.ofInputStream())
-        .thenApplyAsync(this::proposed)
-        .orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS);
+    CompletableFuture<HttpResponse<byte[]>> exchange =
+        client.sendAsync(request.build(), answer -> new FirstBytes(MOST_BYTES));
+    return exchange
+        .thenApply(this::proposed)
+        .orTimeout(patience.toMillis(), TimeUnit.MILLISECONDS)
+        .whenComplete(
+            (proposals, failure) -> {
+              if (failure != null) {
+                exchange.cancel(true);
+              }
+            });
   }
 
   private ObjectNode body(String said, Sayable known) {
@@ -81,25 +90,31 @@ public final class ChatCompletions implements Paraphraser {
   }
 
   private static String instruction(Sayable known) {
-    return String.join(
-        "\n",
-        "A home understands sentences of these patterns:",
-        String.join("\n", known.patterns().stream().limit(MOST_PATTERNS).toList()),
-        "Its rooms, things and persons are called:",
-        String.join(", ", known.names().stream().limit(MOST_NAMES).toList()),
-        "Say what the user means as one such sentence, with these names only. Answer with that"
-            + " sentence alone, or with nothing if you do not know.");
+    return instruction()
+        .replace(
+            "{patterns}",
+            String.join("\n", known.patterns().stream().limit(MOST_PATTERNS).toList()))
+        .replace("{names}", String.join(", ", known.names().stream().limit(MOST_NAMES).toList()));
+  }
+
+  private static String instruction() {
+    try (InputStream stream = ChatCompletions.class.getResourceAsStream("instruction.txt")) {
+      return new String(
+          Objects.requireNonNull(stream, "instruction.txt is not there").readAllBytes(),
+          StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** Whatever the answer is, no more of it is read than a few sentences take. */
-  private List<String> proposed(HttpResponse<InputStream> response) {
-    try (InputStream answer = response.body()) {
-      byte[] read = answer.readNBytes(MOST_BYTES);
-      if (response.statusCode() != OK) {
-        throw failed("it answers with status " + response.statusCode());
-      }
+  private List<String> proposed(HttpResponse<byte[]> response) {
+    if (response.statusCode() != OK) {
+      throw failed("it answers with status " + response.statusCode());
+    }
+    try {
       JsonNode text =
-          JSON.readTree(new String(read, StandardCharsets.UTF_8))
+          JSON.readTree(new String(response.body(), StandardCharsets.UTF_8))
               .path("choices")
               .path(0)
               .path("message")
@@ -113,8 +128,6 @@ public final class ChatCompletions implements Paraphraser {
           .toList();
     } catch (JsonProcessingException e) {
       throw failed("its answer is no JSON");
-    } catch (IOException e) {
-      throw failed("its answer has not come to its end");
     }
   }
 

@@ -77,6 +77,10 @@ class ChatCompletionsTest {
       assertThatThrownBy(() -> proposals(model.base(), Duration.ofMillis(300)))
           .isInstanceOf(ExecutionException.class);
     }
+    try (Model model = Model.stalling()) {
+      assertThatThrownBy(() -> proposals(model.base(), Duration.ofMillis(300)))
+          .isInstanceOf(ExecutionException.class);
+    }
     try (Model model = Model.endless()) {
       assertThat(proposals(model)).isEmpty();
     }

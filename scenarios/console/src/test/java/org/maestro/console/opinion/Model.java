@@ -75,7 +75,21 @@ public final class Model implements AutoCloseable {
     return model[0];
   }
 
-  /** Begins to answer, and never ends. */
+  /** Begins to answer, and never goes on. */
+  static Model stalling() {
+    Model[] model = new Model[1];
+    model[0] =
+        new Model(
+            exchange -> {
+              exchange.sendResponseHeaders(OK, 0);
+              exchange.getResponseBody().write('{');
+              exchange.getResponseBody().flush();
+              model[0].end.await();
+            });
+    return model[0];
+  }
+
+  /** Answers without an end. */
   static Model endless() {
     return new Model(
         exchange -> {
