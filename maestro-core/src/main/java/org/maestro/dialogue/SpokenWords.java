@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.maestro.language.Language;
 import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
@@ -22,7 +21,6 @@ import org.maestro.language.wording.AnswerWords;
 import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
-import org.maestro.ontology.wording.Said;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
 import org.maestro.sl.Expression;
@@ -40,7 +38,6 @@ import org.maestro.sl.Truth;
  */
 public final class SpokenWords {
   private static final String LOCATION = "Location";
-  private static final Set<String> HOUSEHOLD = Set.of("Room", "Device", "Thing", LOCATION);
   private static final int MINUTES_OF_HOUR = 60;
 
   private final Supplier<Home> home;
@@ -162,28 +159,7 @@ public final class SpokenWords {
   /** What can be said in her language, for who does not know the home. */
   public synchronized Sayable sayable(Utterance utterance) {
     Home there = home.get();
-    String tag = language(there, Optional.of(utterance)).grammar().language();
-    List<String> patterns =
-        there.wording().constructions().stream()
-            .flatMap(one -> in(tag, one.says()).stream().limit(1))
-            .toList();
-    List<String> names =
-        there.wording().names().entrySet().stream()
-            .filter(named -> isOfTheHouse(there.individuals().get(named.getKey())))
-            .flatMap(named -> in(tag, named.getValue()).stream().limit(1))
-            .distinct()
-            .toList();
-    return new Sayable(patterns, names);
-  }
-
-  /** There may be thousands of titles. */
-  private static boolean isOfTheHouse(@Nullable Individual individual) {
-    return individual != null
-        && HOUSEHOLD.stream().anyMatch(kind -> individual.classes().contains(kind));
-  }
-
-  private static List<String> in(String tag, List<Said> words) {
-    return words.stream().filter(said -> said.isIn(tag)).map(Said::text).toList();
+    return Sayable.of(there, language(there, Optional.of(utterance)).grammar().language());
   }
 
   /**

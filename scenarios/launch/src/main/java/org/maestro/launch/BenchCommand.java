@@ -34,8 +34,10 @@ import org.maestro.bench.losses.LossesBench;
 import org.maestro.bench.planning.BuildingBench;
 import org.maestro.bench.planning.CancelBench;
 import org.maestro.bench.planning.PlannerBench;
+import org.maestro.dialogue.Paraphraser;
 import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -46,7 +48,7 @@ import picocli.CommandLine.Spec;
     name = "bench",
     description =
         "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, language, losses, noise, "
-            + "openings, planner, running, scripts, sim or soak.")
+            + "openings, opinion, planner, running, scripts, sim or soak.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int MANY = 1_000;
@@ -63,10 +65,14 @@ final class BenchCommand implements Callable<Integer> {
       Duration duration,
       Function<Consumer<String>, ChaosBench> chaos,
       Optional<Path> utterances,
+      Optional<Paraphraser> other,
       long seed) {}
 
   private static final Map<String, BiFunction<Wanted, Consumer<String>, BenchReport>> BENCHES =
       benches();
+
+  /** A model may be slow the first time that it reads what can be said. */
+  private static final Duration OPINION = Duration.ofMinutes(2);
 
   private static final Duration MEASURED_TIME = Duration.ofSeconds(10);
 
@@ -144,8 +150,8 @@ final class BenchCommand implements Callable<Integer> {
       names = "--file",
       paramLabel = "FILE.tsv",
       description =
-          "The utterances of noise, as for ./maestro understand, and if wished, after a tabulator,"
-              + " what each means.")
+          "The utterances of noise and opinion, as for ./maestro understand, and if wished, after a"
+              + " tabulator, what each means.")
   private Optional<Path> utterances = Optional.empty();
 
   @Option(
@@ -153,6 +159,8 @@ final class BenchCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "The one seed of chaos, with its story; that of noise, 1 unless it is said.")
   private Optional<Long> seed = Optional.empty();
+
+  @Mixin private OpinionOptions opinion;
 
   private Duration duration() {
     if (minutes < 1) {
@@ -230,6 +238,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("noise", BenchCommand::noise);
     benches.put(
         "openings", (wanted, progress) -> new OpeningsBench(OPENED, wanted.runs(), progress).run());
+    benches.put("opinion", BenchCommand::opinion);
     benches.put("planner", (wanted, progress) -> new PlannerBench(20, progress).run());
     benches.put(
         "running",
@@ -266,14 +275,27 @@ final class BenchCommand implements Callable<Integer> {
   }
 
   private static BenchReport noise(Wanted wanted, Consumer<String> progress) {
-    Path file =
+    return WordsBenches.noise(utterances("noise", wanted), wanted.runs(), wanted.seed(), progress);
+  }
+
+  private static BenchReport opinion(Wanted wanted, Consumer<String> progress) {
+    Paraphraser other =
         wanted
-            .utterances()
+            .other()
             .orElseThrow(
                 () ->
                     CommandException.badInput(
-                        "The benchmark noise needs utterances; give --file FILE.tsv."));
-    return WordsBenches.noise(file, wanted.runs(), wanted.seed(), progress);
+                        "The benchmark opinion needs somebody to ask; give --second-opinion URL."));
+    return WordsBenches.opinion(utterances("opinion", wanted), other, progress);
+  }
+
+  private static Path utterances(String bench, Wanted wanted) {
+    return wanted
+        .utterances()
+        .orElseThrow(
+            () ->
+                CommandException.badInput(
+                    "The benchmark %s needs utterances; give --file FILE.tsv.".formatted(bench)));
   }
 
   private int goals() {
@@ -291,6 +313,7 @@ final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    opinion.check();
     BiFunction<Wanted, Consumer<String>, BenchReport> bench = BENCHES.get(name);
     if (bench == null) {
       throw CommandException.badInput(
@@ -311,6 +334,7 @@ final class BenchCommand implements Callable<Integer> {
                 duration(),
                 this::chaos,
                 utterances,
+                opinion.paraphraser(OPINION),
                 seed.orElse(1L)),
             line -> {
               err.println(line);

@@ -1,7 +1,6 @@
 package org.maestro.launch;
 
 import java.net.InetAddress;
-import java.net.URI;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -9,18 +8,16 @@ import java.util.Optional;
 import org.maestro.assembly.LocalSite;
 import org.maestro.console.Console;
 import org.maestro.console.Serving;
-import org.maestro.console.opinion.ChatCompletions;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.dialogue.Paraphraser;
 import org.maestro.rats.security.SiteSecurity;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The option that says where a platform serves its console. */
 final class ConsoleOptions {
   private static final String OFF = "off";
   private static final int USUAL_PORT = 7070;
-
-  private static final String KEY = "MAESTRO_SECOND_OPINION_KEY";
 
   /** Nobody waits longer to hear that he is not understood. */
   private static final Duration PATIENCE = Duration.ofSeconds(5);
@@ -34,23 +31,7 @@ final class ConsoleOptions {
               + " a free port when that is taken.")
   private Optional<String> wanted = Optional.empty();
 
-  @Option(
-      names = "--second-opinion",
-      paramLabel = "URL",
-      description =
-          "Ask a language model what was meant by words that are not understood: the base of an"
-              + " OpenAI-compatible server, such as http://127.0.0.1:8080/v1. It is told the words"
-              + " and what things here are called, and proposes a sentence; whether that is meant is"
-              + " asked back before anything is done. Its key is read from "
-              + KEY
-              + ".")
-  private Optional<URI> opinion = Optional.empty();
-
-  @Option(
-      names = "--second-opinion-model",
-      paramLabel = "NAME",
-      description = "The model, where the server has several.")
-  private Optional<String> model = Optional.empty();
+  @Mixin private OpinionOptions opinion = new OpinionOptions();
 
   /** As without the option. */
   static ConsoleOptions usual() {
@@ -63,7 +44,7 @@ final class ConsoleOptions {
    * @param secured whether it is a secured site, where persons sign in
    */
   void check(boolean secured) {
-    opinion.ifPresent(ConsoleOptions::checkServer);
+    opinion.check();
     if (wanted.isEmpty() || isOff()) {
       return;
     }
@@ -73,24 +54,6 @@ final class ConsoleOptions {
           "An open site serves its console on this machine alone, as it asks nobody for a password: leave %s away, or secure the site (./maestro secure, --security)."
               .formatted(at.host()));
     }
-  }
-
-  private static void checkServer(URI server) {
-    boolean isHttp = "http".equals(server.getScheme()) || "https".equals(server.getScheme());
-    if (!isHttp || server.getHost() == null) {
-      throw CommandException.badInput(
-          "--second-opinion takes the address of a server, such as http://127.0.0.1:8080/v1; not \"%s\"."
-              .formatted(server));
-    }
-  }
-
-  private Paraphraser paraphraser() {
-    return opinion
-        .<Paraphraser>map(
-            server ->
-                new ChatCompletions(
-                    server, model, Optional.ofNullable(System.getenv(KEY)), PATIENCE))
-        .orElse(Paraphraser.NOBODY);
   }
 
   private static Endpoint at(String text) {
@@ -153,7 +116,11 @@ final class ConsoleOptions {
         site.platform(),
         site.observer(),
         name,
-        new Serving(at.host(), at.port(), security, paraphraser()),
+        new Serving(
+            at.host(),
+            at.port(),
+            security,
+            opinion.paraphraser(PATIENCE).orElse(Paraphraser.NOBODY)),
         data,
         site.isSimulated() ? Optional.of(SimulatedTruth.of(site)) : Optional.empty(),
         Version.number());
@@ -167,6 +134,7 @@ final class ConsoleOptions {
                 "The console, for a browser: "
                     + own.uri()
                     + opinion
+                        .server()
                         .map(server -> "\nWhat is not understood there is told " + server + ".")
                         .orElse(""))
         .orElse(

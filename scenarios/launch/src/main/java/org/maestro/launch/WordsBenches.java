@@ -8,7 +8,10 @@ import java.util.function.Consumer;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.words.LanguageBench;
 import org.maestro.bench.words.NoiseBench;
+import org.maestro.bench.words.OpinionBench;
 import org.maestro.bench.words.SaidLine;
+import org.maestro.dialogue.Paraphraser;
+import org.maestro.dialogue.Sayable;
 import org.maestro.language.Language;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
@@ -47,6 +50,20 @@ final class WordsBenches {
             line -> said(evening, facts, line.speaker(), line.room()),
             times,
             seed,
+            progress)
+        .run(lines);
+  }
+
+  /** What a second opinion is worth on the file's utterances. */
+  static BenchReport opinion(Path file, Paraphraser other, Consumer<String> progress) {
+    List<SaidLine> lines = UnderstandCommand.lines(file).stream().map(SaidLine::of).toList();
+    Home evening = Shipped.home("evening");
+    Facts facts = SceneFacts.of(evening, Optional.of(Shipped.scene("evening", evening)));
+    return new OpinionBench(
+            Language.of(evening, "en"),
+            Sayable.of(evening, "en"),
+            line -> said(evening, facts, line.speaker(), line.room()),
+            other,
             progress)
         .run(lines);
   }
