@@ -53,7 +53,7 @@ public final class Language {
     this.rules = new RuleIndex(grammar);
     this.grammarWords = HeardWords.wordsOf(grammar);
     this.tokens = new Tokens(own.spellings());
-    this.possible = new FittingRoles(home).and(new WholeTexts(own));
+    this.possible = new FittingRoles(home).and(new WholeTexts(own, home.wording()));
     this.refusals = new RefusalWords(home, grammar);
   }
 

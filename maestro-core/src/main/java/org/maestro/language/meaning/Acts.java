@@ -74,6 +74,7 @@ final class Acts {
       case "whenever" -> whenever(act.part(0), act.part(1));
       case "act-whenever" -> actWhenever(act.part(0), act.part(1));
       case "timed" -> timed(act.part(0), act.part(1));
+      case "act-timed" -> timed(act.part(1), act.part(0));
       case "tell" -> tell(act.part(0));
       case "nevermind" -> Optional.of(cancel("question"));
       case "cancel" -> Optional.of(cancel("last"));
@@ -359,7 +360,7 @@ final class Acts {
   }
 
   private Optional<Content> timed(Form when, Form act) {
-    if (isOfTheClock(when) && act.is("timed") && isOfTheClock(act.part(0))) {
+    if (isOfTheClock(when) && isTimedByTheClock(act)) {
       // Nothing begins at two times of the day.
       references.die();
       return Optional.empty();
@@ -400,6 +401,11 @@ final class Acts {
         references.die();
         return Optional.empty();
     }
+  }
+
+  private static boolean isTimedByTheClock(Form act) {
+    return act.is("timed") && isOfTheClock(act.part(0))
+        || act.is("act-timed") && isOfTheClock(act.part(1));
   }
 
   private static boolean isOfTheClock(Form when) {

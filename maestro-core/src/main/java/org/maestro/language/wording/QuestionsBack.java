@@ -114,11 +114,15 @@ public final class QuestionsBack {
     return construction.roles().stream()
         .collect(
             Collectors.toMap(
-                Construction.Role::name,
-                role ->
-                    grammar.phrase(
-                        role.type().equals(Construction.Role.RELATION) ? "role-where" : "role"),
-                (a, b) -> a));
+                Construction.Role::name, role -> grammar.phrase(phrase(role.type())), (a, b) -> a));
+  }
+
+  private static String phrase(String type) {
+    return switch (type) {
+      case Construction.Role.RELATION -> "role-where";
+      case "Person" -> "role-person";
+      default -> "role";
+    };
   }
 
   private String which(Doubt.Which doubt) {

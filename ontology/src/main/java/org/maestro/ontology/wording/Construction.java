@@ -38,6 +38,7 @@ public record Construction(
    * @param relates of a relation: the role whose place it tells
    * @param questions what is asked when it is missing; other roles stand in braces
    * @param usually its value when it is not said
+   * @param toTheEnd whether what fills it goes on until nothing more is said
    */
   public record Role(
       String name,
@@ -45,7 +46,8 @@ public record Construction(
       Optional<String> relates,
       List<Said> questions,
       boolean optional,
-      Optional<Term> usually) {
+      Optional<Term> usually,
+      boolean toTheEnd) {
     /** The type of a role that is told by a prepositional phrase. */
     public static final String RELATION = "Relation";
 

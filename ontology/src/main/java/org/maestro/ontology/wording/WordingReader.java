@@ -209,7 +209,8 @@ public final class WordingReader {
         first(nodes, node -> literals.text(node, "relates")),
         nodes.stream().flatMap(node -> said(node, Maestro.term("question")).stream()).toList(),
         nodes.stream().anyMatch(node -> literals.flag(node, "optional")),
-        first(nodes, node -> literals.parsed(node, "usually", WordingReader::value)));
+        first(nodes, node -> literals.parsed(node, "usually", WordingReader::value)),
+        nodes.stream().anyMatch(node -> literals.flag(node, "toTheEnd")));
   }
 
   private static <T> Optional<T> first(List<Node> nodes, Function<Node, Optional<T>> value) {
