@@ -266,6 +266,9 @@ final class Measures {
     List<Of> thereabouts = new ArrayList<>();
     for (boolean around : new boolean[] {false, true}) {
       for (PredicateDeclaration fluent : fluents) {
+        if (set && around && !mayStandForItsPlace(fluent, whose)) {
+          continue;
+        }
         Reference found = whose(fluent, whose, around);
         Reference reference = set ? settables.of(fluent, found) : found;
         if (reference instanceof Reference.Mistyped
@@ -296,6 +299,12 @@ final class Measures {
       return Optional.empty();
     }
     return broken;
+  }
+
+  /** Who turns the heater up wants the room warmer; a lamp that is to be warmer is none. */
+  private boolean mayStandForItsPlace(PredicateDeclaration fluent, Form whose) {
+    return !(phrases.resolve(whose, "") instanceof Reference.Single single)
+        || settables.maySet(fluent, single);
   }
 
   private boolean mayBe(Of of, double value) {

@@ -147,8 +147,20 @@ public final class NounPhrases {
         .orElseGet(() -> new Reference.Mistyped(phrase));
   }
 
-  /** All but who speaks. */
+  /** All but who speaks, or those who are there. */
   private Reference everybody(Form phrase, String className) {
+    if (!phrase.parts().isEmpty()) {
+      return persons(situation.home())
+          .map(
+              kind ->
+                  resolve(
+                      Form.of(
+                          "np",
+                          Form.leaf("every"),
+                          Form.of("at", Form.of("noun", Form.leaf(kind)), phrase.part(0))),
+                      className))
+          .orElseGet(() -> new Reference.Mistyped(phrase));
+    }
     List<Term.Name> all =
         persons(situation.home()).stream()
             .flatMap(kind -> situation.facts().individuals(kind).stream())
@@ -269,11 +281,16 @@ public final class NounPhrases {
   }
 
   private Reference without(Form phrase, String className) {
-    Reference all = resolve(phrase.part(0), className);
-    Reference but = resolve(phrase.part(1), className);
+    Form whole = phrase.part(0);
+    Reference all = resolve(whole, className);
+    Reference but = excepted(phrase.part(1), className);
     List<Term> excluded = terms(but);
     if (excluded.isEmpty()) {
       return but;
+    }
+    if (isUnbounded(whole) && excluded.stream().noneMatch(terms(all)::contains)) {
+      // What is left out shows that not only what is here is meant.
+      all = resolve(placed(whole, Form.leaf("everywhere")), className);
     }
     if (all instanceof Reference.All every) {
       List<Formula> conditions = new ArrayList<>(every.conditions());
@@ -289,6 +306,21 @@ public final class NounPhrases {
     }
     List<Term> left = terms(all).stream().filter(term -> !excluded.contains(term)).toList();
     return left.isEmpty() ? new Reference.None(phrase) : several(left);
+  }
+
+  /** A thing, or all that is in a place. */
+  private Reference excepted(Form phrase, String className) {
+    Reference but = resolve(phrase, className);
+    return but instanceof Reference.Mistyped
+            && resolve(phrase, "") instanceof Reference.Single place
+            && !relations.within(place.term(), className).isEmpty()
+        ? several(relations.within(place.term(), className))
+        : but;
+  }
+
+  /** Whether no place was said. */
+  private static boolean isUnbounded(Form phrase) {
+    return phrase.is("np") && !phrase.part(phrase.parts().size() - 1).is("at");
   }
 
   private static List<Term> terms(Reference reference) {

@@ -10,6 +10,8 @@ import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.meaning.Doubt;
 import org.maestro.language.meaning.Meaning;
+import org.maestro.language.reference.NounPhrases;
+import org.maestro.language.reference.Reference;
 import org.maestro.language.reference.Relations;
 import org.maestro.language.reference.Situation;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -219,6 +221,11 @@ public final class QuestionsBack {
     }
     if (said.is("self")) {
       return grammar.phrase("no-robot");
+    }
+    Reference of = new NounPhrases(situation).resolve(said, "");
+    if (of instanceof Reference.Single single) {
+      // It is there, and is not of the kind that can be, or do, what was said.
+      return phrases.of("not-with", Map.of("what", naming.of(single.term())));
     }
     String named = named(said);
     boolean isUnnamed =
