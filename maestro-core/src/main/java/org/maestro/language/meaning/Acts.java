@@ -71,8 +71,8 @@ final class Acts {
       case "instead", "yes" -> act.parts().isEmpty() ? Optional.empty() : message(act.part(0));
       case "wish" -> wish(act);
       case "refrain" -> refrain(act.part(0));
-      case "whenever" -> whenever(act.part(0), act.part(1));
-      case "act-whenever" -> actWhenever(act.part(0), act.part(1));
+      case "whenever", "if" -> whenever(act.part(0), act.part(1), act.is("if"));
+      case "act-whenever", "act-if" -> actWhenever(act.part(0), act.part(1), act.is("act-if"));
       case "timed" -> timed(act.part(0), act.part(1));
       case "act-timed" -> timed(act.part(1), act.part(0));
       case "tell" -> tell(act.part(0));
@@ -304,20 +304,28 @@ final class Acts {
                             "goal", List.of(new Content.Argument.OfFormula(formula))))));
   }
 
-  private Optional<Content> whenever(Form condition, Form act) {
+  private Optional<Content> whenever(Form condition, Form act, boolean isNow) {
     Optional<Formula> when = condition(condition);
-    return whenever(when, message(act));
+    return whenever(when, message(act), isNow);
   }
 
   /** What is said first is what may be spoken of later. */
-  private Optional<Content> actWhenever(Form act, Form condition) {
+  private Optional<Content> actWhenever(Form act, Form condition, boolean isNow) {
     Optional<Content> then = message(act);
-    return whenever(condition(condition), then);
+    return whenever(condition(condition), then, isNow);
   }
 
-  private static Optional<Content> whenever(Optional<Formula> when, Optional<Content> then) {
+  /**
+   * @param isNow whether it may be asked of what is so now, rather than each time
+   */
+  private static Optional<Content> whenever(
+      Optional<Formula> when, Optional<Content> then, boolean isNow) {
     if (when.isEmpty() || then.isEmpty()) {
       return Optional.empty();
+    }
+    if (isNow && goalOf(then.get()).filter(goal -> isOppositeOf(when.get(), goal)).isPresent()) {
+      // Who has the light turned off if it is on has no rule that nobody may ever turn it on.
+      return then;
     }
     return Optional.of(
         new Content(
@@ -325,6 +333,18 @@ final class Acts {
             List.of(
                 new Content.Argument.OfFormula(when.get()),
                 new Content.Argument.Nested(then.get()))));
+  }
+
+  /** Whether a condition says no more than that the goal is not reached yet. */
+  private static boolean isOppositeOf(Formula condition, Formula goal) {
+    return condition.equals(new Formula.Not(goal))
+        || goal.equals(new Formula.Not(condition))
+        || condition instanceof Formula.Comparison some
+            && goal instanceof Formula.Comparison none
+            && some.relation() == Formula.Relation.GREATER
+            && none.relation() == Formula.Relation.EQUAL
+            && some.left().equals(none.left())
+            && some.right().equals(none.right());
   }
 
   /** What is so when a condition holds. */

@@ -24,6 +24,9 @@ public sealed interface Doubt {
   /** The number from which to reckon is not known. */
   record NotKnown(Expression.Fluent fluent) implements Doubt {}
 
+  /** It cannot be so much, or so little: {@code least} to {@code most} it can. */
+  record OutOfRange(String fluent, double least, double most) implements Doubt {}
+
   /**
    * Words are unknown, and without them it can be understood.
    *

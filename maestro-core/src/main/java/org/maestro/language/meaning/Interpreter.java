@@ -107,7 +107,7 @@ public final class Interpreter {
   private static String kind(Form form) {
     return switch (form.head()) {
       case "do", "wish", "instead", "refrain", "again" -> "command";
-      case "whenever", "act-whenever", "timed", "act-timed" -> "rule";
+      case "whenever", "act-whenever", "if", "act-if", "timed", "act-timed" -> "rule";
       case "tell" -> "statement";
       case "answer", "also", "yes", "no" -> "answer";
       case "nevermind", "cancel", "undo" -> "cancel";

@@ -55,7 +55,22 @@ final class Measures {
             of ->
                 references.over(
                     of.whose(),
-                    term -> value(of, amount).map(value -> equal(of.fluent(), term, value))));
+                    term ->
+                        value(of, amount)
+                            .filter(value -> isInRange(of, value))
+                            .map(value -> equal(of.fluent(), term, value))));
+  }
+
+  private boolean isInRange(Of of, double value) {
+    boolean isInRange = mayBe(of, value);
+    if (!isInRange) {
+      references.doubt(
+          new Doubt.OutOfRange(
+              of.fluent().name(),
+              of.fluent().least().orElse(0),
+              measure(of).whole().orElse(Double.MAX_VALUE)));
+    }
+    return isInRange;
   }
 
   /** The goal that it be more, or less, by so much or by a step. */

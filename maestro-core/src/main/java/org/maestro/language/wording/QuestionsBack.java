@@ -62,6 +62,8 @@ public final class QuestionsBack {
                   unknown.fluent().arguments().stream()
                       .map(naming::of)
                       .collect(Collectors.joining(" "))));
+    } else if (doubt instanceof Doubt.OutOfRange range) {
+      return outOfRange(range);
     } else if (doubt instanceof Doubt.LeftOut leftOut) {
       return phrases.of(
           "without", Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
@@ -69,6 +71,17 @@ public final class QuestionsBack {
       return grammar.phrase("confirm");
     }
     return grammar.phrase("not-possible");
+  }
+
+  private String outOfRange(Doubt.OutOfRange range) {
+    AmountWords amounts = new AmountWords(situation.home(), grammar);
+    String least = amounts.of(range.fluent(), range.least());
+    String what = naming.word(range.fluent());
+    return range.most() == Double.MAX_VALUE
+        ? phrases.of("at-least", Map.of("what", what, "least", least))
+        : phrases.of(
+            "out-of-range",
+            Map.of("what", what, "least", least, "most", amounts.of(range.fluent(), range.most())));
   }
 
   /**
