@@ -24,7 +24,10 @@ import org.maestro.sl.SlParser;
  * <p>Source: ADE, 2 and 4.2 (A12, A60, A63).
  */
 final class Overhearing {
-  /** Who has said nothing for so long has broken off. */
+  /**
+   * Who has said nothing for so long has broken off. People speak in wall time however fast the
+   * world goes, and those of a scenario in simulated time: it is not less than so much of either.
+   */
   private static final Duration SILENCE = Duration.ofSeconds(10);
 
   private final MaestroAgent agent;
@@ -137,7 +140,7 @@ final class Overhearing {
         agent
             .clock()
             .schedule(
-                SILENCE,
+                agent.clock().ofWallAtLeast(SILENCE),
                 said.person(),
                 () ->
                     agent.tell(
