@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.agents.content.BeliefWords;
@@ -56,8 +57,19 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private final transient List<BiConsumer<String, Mood>> watchers = new ArrayList<>();
   private final transient Map<String, Mood> moods = BoundedMap.ofNewest(AGENTS_KEPT);
 
+  private final transient Function<String, Optional<String>> agentByRoom;
+
+  /** Of a home in which no room has an agent that listens. */
   public DeskAgent(AgentTime time) {
+    this(time, room -> Optional.empty());
+  }
+
+  /**
+   * @param agentByRoom the agent that hears what is said in a room, by the room's name, if one does
+   */
+  public DeskAgent(AgentTime time, Function<String, Optional<String>> agentByRoom) {
     super(time);
+    this.agentByRoom = agentByRoom;
   }
 
   /**
@@ -194,20 +206,70 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   }
 
   /**
-   * Says something for a person. What becomes of it is told once at first, and, where goals are
-   * taken on, once when they are over, on this agent's thread.
+   * Says something for a person, to the agent that hears in her room, if one does and is there,
+   * else to the central agent. What becomes of it is told once at first, and, where goals are taken
+   * on, once when they are over, on this agent's thread.
    */
   public void say(Utterance utterance, Consumer<SaidReply> told) {
-    request(
-        ACLMessage.REQUEST,
-        AgentNames.COORDINATOR,
-        NO_END,
+    List<String> agents = new ArrayList<>();
+    agentByRoom.apply(utterance.room()).ifPresent(agents::add);
+    agents.add(AgentNames.COORDINATOR);
+    requestOfFirst(
+        agents,
         reply -> {
           if (reply.getPerformative() == ACLMessage.AGREE || isEnd(reply)) {
             told.accept(SayWords.read(Words.parse(reply.getContent())));
           }
         },
         SayWords.content(utterance));
+  }
+
+  /**
+   * Asks the agents of rooms who of them understands something.
+   *
+   * @param told the final reply, on this agent's thread
+   */
+  public void whoUnderstands(Utterance utterance, Consumer<ACLMessage> told) {
+    request(
+        ACLMessage.REQUEST,
+        agentByRoom.apply(utterance.room()).orElse(AgentNames.COORDINATOR),
+        NO_END,
+        told,
+        SayWords.asking(utterance));
+  }
+
+  /**
+   * States a goal that somebody said in a room: to the central agent, or, while there is none, to
+   * the agent of that room, if it has one.
+   */
+  public void state(AskedGoal goal, String room, Consumer<ACLMessage> replies) {
+    List<String> agents = new ArrayList<>(List.of(AgentNames.COORDINATOR));
+    agentByRoom.apply(room).ifPresent(agents::add);
+    requestOfFirst(agents, replies, goal.content());
+  }
+
+  /** Asks the first of some agents that is there. */
+  private void requestOfFirst(
+      List<String> agents, Consumer<ACLMessage> replies, Content content) {
+    tell(() -> askFirst(agents, replies, content));
+  }
+
+  private void askFirst(List<String> agents, Consumer<ACLMessage> replies, Content content) {
+    String first = agents.get(0);
+    boolean[] isHeard = {false};
+    ask(
+        message(ACLMessage.REQUEST, aid(first), content),
+        NO_END,
+        reply -> {
+          if (!Replies.isFromPlatform(reply)) {
+            isHeard[0] = true;
+            replies.accept(reply);
+          } else if (isHeard[0] || agents.size() == 1) {
+            replies.accept(absent(first));
+          } else {
+            askFirst(agents.subList(1, agents.size()), replies, content);
+          }
+        });
   }
 
   /**
@@ -222,7 +284,7 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
         AgentNames.COORDINATOR,
         NO_END,
         reply -> told.accept(OverheardReply.read(reply.getContent())),
-        SayWords.unfinished(words));
+        SayWords.unfinished(agentByRoom.apply(words.room()).map(words::heardBy).orElse(words)));
   }
 
   /** Asks an agent of this platform; exactly one final reply follows. */

@@ -7,6 +7,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.maestro.agents.centre.GoalRequests;
+import org.maestro.agents.centre.Sayings;
+import org.maestro.agents.centre.ToldStories;
+import org.maestro.agents.centre.Undoing;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.Replies;
@@ -16,10 +21,13 @@ import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLifeListener;
+import org.maestro.agents.rooms.RoomListening;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
+import org.maestro.dialogue.Dialogues;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Group;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
@@ -55,12 +63,20 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   private transient volatile Set<String> called = Set.of();
   private transient Clock.Timer rollCall = () -> {};
   private transient Clock.Timer start = () -> {};
+  private final transient Optional<RoomListening> listening;
   private boolean started;
 
   /**
    * @param past of the platform, with which its goals go on
+   * @param dialogues what persons have said before
    */
-  public GroupAgent(AgentTime time, ReasoningServices mind, Group group, Story story, Past past) {
+  public GroupAgent(
+      AgentTime time,
+      ReasoningServices mind,
+      Group group,
+      Story story,
+      Past past,
+      Dialogues dialogues) {
     super(time);
     this.mind = mind;
     this.group = group;
@@ -74,6 +90,32 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
             past,
             member -> called.contains(member),
             Optional.empty());
+    this.listening = group.hearing().map(hearing -> listening(story, dialogues));
+  }
+
+  /** What is said in its room, as the central agent hears it in the whole home. */
+  private RoomListening listening(Story story, Dialogues dialogues) {
+    KnowledgeBase knowledge = mind.knowledge();
+    GoalRequests requests =
+        new GoalRequests(
+            this,
+            knowledge,
+            goals.manager(),
+            new ToldStories(this, story, Map.of(), goalId -> {}));
+    return new RoomListening(
+        this,
+        group.id(),
+        member -> called.contains(member),
+        knowledge,
+        dialogues,
+        requests,
+        new Sayings(
+            this,
+            knowledge,
+            goals.manager(),
+            requests,
+            new Undoing(this, goals.manager(), requests),
+            dialogues));
   }
 
   @Override
@@ -167,16 +209,27 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
         case "answer" -> new OwnGoalRequests(this, goals).answer(message, words);
         case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();
-        default ->
+        case "say" -> heard(message, content, its -> its.say(message, words));
+        case "initCNP" -> heard(message, content, its -> its.goal(message, words));
+        case "understand" -> heard(message, content, its -> its.understand(message, words));
+        default -> notUnderstood(message, content);
+      }
+    }
+  }
+
+  private void heard(ACLMessage message, Content content, Consumer<RoomListening> what) {
+    listening.ifPresentOrElse(what, () -> notUnderstood(message, content));
+  }
+
+  private void notUnderstood(ACLMessage message, Content content) {
             refuse(
                 message,
                 ACLMessage.NOT_UNDERSTOOD,
                 group.id()
                     + " does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows inform, yield, cancel, answer, query-ref and subscribe.");
-      }
-    }
+                    + "; it knows inform, yield, cancel, answer, query-ref"
+                    + (listening.isPresent() ? ", subscribe, say, understand and initCNP." : " and subscribe."));
   }
 
   /** An agent speaks of its own member only; that one is gone the supervisor may say as well. */

@@ -9,16 +9,20 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.maestro.language.Language;
 import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
+import org.maestro.language.meaning.Doubt;
 import org.maestro.language.meaning.Meaning;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AbilityWords;
 import org.maestro.language.wording.AnswerWords;
 import org.maestro.language.wording.GoalWords;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.sl.Content;
@@ -48,8 +52,35 @@ public final class SpokenWords {
   private Optional<Utterance> latest = Optional.empty();
   private Optional<String> room = Optional.empty();
 
-  /** The language of a home as it was. */
-  private record Spoken(Home home, String tag, Language language) {}
+  /** The language of a home as it was, and as those of its room agents have it who were asked. */
+  private record Spoken(
+      Home home, String tag, Language language, Map<String, Language> languageByListener) {
+    Language of(Utterance said) {
+      return said.listener()
+          .flatMap(name -> Optional.ofNullable(home.groups().get(name)))
+          .flatMap(Group::hearing)
+          .map(
+              hearing ->
+                  languageByListener.computeIfAbsent(
+                      said.listener().orElseThrow(), name -> language.about(hearing.topics())))
+          .orElse(language);
+    }
+  }
+
+  /**
+   * What somebody makes of an utterance before it is said that it is for him.
+   *
+   * @param isUnderstood whether all of it is, or something is to be asked back
+   * @param coverage the share of its words that had a place, 0 to 1
+   * @param mentioned names of what it speaks of
+   * @param reply what he would say of what he does not understand
+   */
+  public record Grasp(
+      boolean isUnderstood, double coverage, Set<String> mentioned, Optional<String> reply) {
+    public Grasp {
+      mentioned = Set.copyOf(mentioned);
+    }
+  }
 
   /**
    * The words of a home.
@@ -125,14 +156,7 @@ public final class SpokenWords {
     Language language = language(there);
     Situation situation = situation(there, utterance);
     Understanding understood = language.understand(utterance.text(), situation);
-    // What she may not have done need not be confirmed.
-    boolean isRefused = language.refusal(understood, situation).isPresent();
-    Optional<Reading> reading =
-        (isRefused ? understood.wish() : understood.message())
-            .flatMap(message -> MessageReading.of(message, there))
-            .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
-            .or(() -> social(understood))
-            .or(() -> agreed(understood));
+    Optional<Reading> reading = reading(understood, language, situation);
     if (reading.isPresent()) {
       discourse = understood.discourse(discourse);
     }
@@ -142,6 +166,55 @@ public final class SpokenWords {
         understood.reply(),
         isAsked,
         begun(understood.began(), there));
+  }
+
+  private static Optional<Reading> reading(
+      Understanding understood, Language language, Situation situation) {
+    // What she may not have done need not be confirmed.
+    boolean isRefused = language.refusal(understood, situation).isPresent();
+    return (isRefused ? understood.wish() : understood.message())
+        .flatMap(message -> MessageReading.of(message, situation.home()))
+        .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
+        .or(() -> social(understood))
+        .or(() -> agreed(understood));
+  }
+
+  /** What would become of an utterance, of which nothing is remembered but where she is. */
+  public synchronized Grasp grasp(Utterance heard) {
+    Home there = home.get();
+    room = room(heard);
+    Situation situation = situation(there, heard);
+    Language language = language(there, Optional.of(heard));
+    Understanding understood = language.understand(heard.text(), situation);
+    boolean isUnderstood =
+        understood.unknown().isEmpty()
+            && !isForOthers(understood)
+            && reading(understood, language, situation).isPresent();
+    Set<String> mentioned =
+        understood.meanings().stream()
+            .limit(1)
+            .flatMap(meaning -> meaning.mentioned().stream())
+            .map(Term.Name::text)
+            .collect(Collectors.toSet());
+    return new Grasp(isUnderstood, understood.coverage(), mentioned, understood.reply());
+  }
+
+  /** Whether who knows other words may make something of it. */
+  private static boolean isForOthers(Understanding understood) {
+    return understood.meanings().stream()
+        .findFirst()
+        .flatMap(Meaning::doubt)
+        .filter(
+            doubt ->
+                doubt instanceof Doubt.NoSuch
+                    || doubt instanceof Doubt.LeftOut
+                    || doubt instanceof Doubt.Nothing)
+        .isPresent();
+  }
+
+  /** How many words somebody knows who hears in a room: for who wishes to compare them. */
+  public synchronized int vocabulary(Utterance heard) {
+    return language(home.get(), Optional.of(heard)).lexicon().words().size();
   }
 
   /**
@@ -283,9 +356,10 @@ public final class SpokenWords {
     Spoken known =
         spoken
             .filter(one -> one.home() == there && one.tag().equals(tag))
-            .orElseGet(() -> new Spoken(there, tag, Language.of(there, tag)));
+            .orElseGet(
+                () -> new Spoken(there, tag, Language.of(there, tag), new ConcurrentHashMap<>()));
     spoken = Optional.of(known);
-    return known.language();
+    return said.map(known::of).orElse(known.language());
   }
 
   private Situation situation(Home there, Utterance utterance) {

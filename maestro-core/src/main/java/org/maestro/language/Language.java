@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -39,6 +40,8 @@ public final class Language {
   private static final String ENDING = ".grammar";
   private static final Pattern TAG = Pattern.compile("[a-z]{2,3}(-[A-Za-z]{2,4})?");
 
+  private final Home home;
+  private final Grammar own;
   private final Grammar grammar;
   private final Lexicon lexicon;
   private final RuleIndex rules;
@@ -47,7 +50,13 @@ public final class Language {
   private final Predicate<Form> possible;
   private final RefusalWords refusals;
 
-  private Language(Grammar own, Home home) {
+  /** Words that others of the home have. */
+  private final Set<String> foreign;
+
+  private Language(Grammar own, Home home, Set<String> foreign) {
+    this.home = home;
+    this.own = own;
+    this.foreign = foreign;
     this.grammar = own.with(new ConstructionRules(own).of(home.wording().constructions()));
     this.lexicon = new LexiconOfHome(home, own).read();
     this.rules = new RuleIndex(grammar);
@@ -68,7 +77,19 @@ public final class Language {
 
   /** A language by its grammar. */
   public static Language of(Home home, Grammar grammar) {
-    return new Language(grammar, home);
+    return new Language(grammar, home, Set.of());
+  }
+
+  /**
+   * The same language as somebody has it who can speak of some topics only. A word that is missing
+   * then is not taken for one that sounds alike.
+   *
+   * @param topics names of topics and of constructions
+   */
+  public Language about(Set<String> topics) {
+    Set<String> others = new HashSet<>(grammarWords);
+    others.addAll(lexicon.words());
+    return new Language(own, TopicsOfHome.of(home, topics), others);
   }
 
   /**
@@ -101,7 +122,8 @@ public final class Language {
   public Listening listen(Situation situation) {
     return new Listening(
         grammar,
-        new HeardWords(grammar, grammarWords, lexicon, () -> new Chart(rules, lexicon, possible)),
+        new HeardWords(
+            grammar, grammarWords, foreign, lexicon, () -> new Chart(rules, lexicon, possible)),
         situation);
   }
 

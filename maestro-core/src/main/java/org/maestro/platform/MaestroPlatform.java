@@ -92,7 +92,8 @@ public final class MaestroPlatform implements AutoCloseable {
                     settings.decisionTime(),
                     before,
                     dialogues));
-    this.desk = new DeskAgent(time);
+    this.desk =
+        new DeskAgent(time, room -> knowledge.home().listener(room).map(Group::id));
     Surroundings here =
         new Surroundings(
             time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
@@ -166,7 +167,7 @@ public final class MaestroPlatform implements AutoCloseable {
     desk.whenSaid(dialogues.asked()::hear);
     agents.begin();
     for (Group group : knowledge.home().groups().values()) {
-      GroupAgent agent = new GroupAgent(time, mind, group, stories, past);
+      GroupAgent agent = new GroupAgent(time, mind, group, stories, past, dialogues);
       lives.listen(agent);
       agents.begin(group, agent);
     }

@@ -102,7 +102,14 @@ public final class Society implements AutoCloseable {
   GroupAgent group(Group group) {
     ReasoningServices mind =
         new ReasoningServices(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
-    return new GroupAgent(time, mind, group, story::add, Past.none());
+    return new GroupAgent(
+        time,
+        mind,
+        group,
+        story::add,
+        Past.none(),
+        new Dialogues(
+            mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant));
   }
 
   /** Somebody has seen that it is so. */

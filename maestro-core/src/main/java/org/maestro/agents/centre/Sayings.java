@@ -13,15 +13,12 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Reading;
 import org.maestro.dialogue.SpokenWords;
-import org.maestro.dialogue.Utterance;
-import org.maestro.dialogue.UtteranceCheck;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -67,34 +64,18 @@ public final class Sayings {
 
   /** Somebody says something. */
   public void say(ACLMessage message, Words words) {
-    Optional<String> text = words.terms().stream().findFirst().map(Words::plain);
-    Optional<String> person = words.string("by");
-    if (message.getPerformative() != ACLMessage.REQUEST
-        || text.filter(said -> !said.isBlank()).isEmpty()
-        || person.isEmpty()) {
-      agent.refuse(
-          message,
-          ACLMessage.NOT_UNDERSTOOD,
-          "What is said is told by a request with the words, who speaks, and where, such as"
-              + " (say \"turn on the light\" (:by Bob) (:in livingroom)).");
-      return;
-    }
-    Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
-    Utterance utterance =
-        new Utterance(person.get(), words.string("in").orElse(""), text.get(), caller.user());
-    Optional<String> objection = new UtteranceCheck(knowledge.home()).objection(utterance);
-    if (objection.isPresent()) {
-      agent.refuse(message, ACLMessage.REFUSE, objection.get());
-      return;
-    }
-    Said said = new Said(message, words, caller, utterance);
-    if (words.string("more").filter("true"::equals).isPresent()) {
+    Said.of(agent, knowledge.home(), message, words).ifPresent(this::hear);
+  }
+
+  /** The same, of what was read already. */
+  public void hear(Said said) {
+    if (said.words().string("more").filter("true"::equals).isPresent()) {
       overhearing.hear(said);
       return;
     }
     dialogues
         .asked()
-        .answeredBy(utterance)
+        .answeredBy(said.utterance())
         .ifPresentOrElse(question -> answer(said, question), () -> understand(said));
   }
 

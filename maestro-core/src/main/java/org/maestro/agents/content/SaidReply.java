@@ -42,6 +42,14 @@ public sealed interface SaidReply {
   /** It was taken as the answer to a script. */
   record Answered(String part) implements SaidReply {}
 
+  /**
+   * Not who heard it has understood it, but another room agent, which answers.
+   *
+   * @param agent its name
+   * @param laterSeconds how much later the answer comes by that
+   */
+  record PassedOn(String agent, double laterSeconds, SaidReply answer) implements SaidReply {}
+
   /** Nothing comes of it. */
   record Refused(String why) implements SaidReply {}
 }

@@ -1,8 +1,10 @@
 package org.maestro.agents.content;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.dialogue.SpokenWords;
 import org.maestro.dialogue.Utterance;
 import org.maestro.sl.Content;
 
@@ -13,6 +15,8 @@ import org.maestro.sl.Content;
  * {@code (inform (:asks "Which light do you mean?"))}.
  */
 public final class SayWords {
+  private static final int MILLIS_PER_SECOND = 1_000;
+
   private SayWords() {}
 
   /** The request. */
@@ -24,12 +28,80 @@ public final class SayWords {
       arguments.add(Words.named("in", Words.name(utterance.room())));
     }
     utterance.asker().ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+    utterance.listener().ifPresent(name -> arguments.add(Words.named("words", Words.name(name))));
     return new Content("say", arguments);
+  }
+
+  /**
+   * The same, as a room agent has it done by another agent.
+   *
+   * @param caller who has told it the room agent, as {@code Caller} writes it
+   */
+  public static Content passedOn(Utterance utterance, String caller) {
+    List<Content.Argument> arguments = new ArrayList<>(content(utterance).arguments());
+    arguments.add(Words.named("caller", Words.text(caller)));
+    return new Content("say", arguments);
+  }
+
+  /** The question to room agents who of them understands it. */
+  public static Content asking(Utterance utterance) {
+    return new Content("understand", content(utterance).arguments());
+  }
+
+  /**
+   * The answer of one that does.
+   *
+   * @param own how many things of its own are spoken of
+   */
+  public static Content proposed(SpokenWords.Grasp grasp, int own) {
+    return Words.content(
+        "understand",
+        Words.named("coverage", Words.number(grasp.coverage())),
+        Words.named("own", Words.number(own)));
+  }
+
+  /** The answer of one that does not. */
+  public static Content declined(SpokenWords.Grasp grasp) {
+    return Words.content(
+        "inform",
+        Words.named("reason", Words.text(grasp.reply().orElse("That is not understood."))),
+        Words.named("coverage", Words.number(grasp.coverage())));
+  }
+
+  /** The answer to who asked all rooms: the agent that understands it, and what asking has taken. */
+  public static Content understood(String agent, Duration later) {
+    return Words.content("understand", named(agent, later));
+  }
+
+  private static Content.Argument[] named(String agent, Duration later) {
+    return new Content.Argument[] {
+      Words.named("through", Words.name(agent)),
+      Words.named("later", Words.number((double) later.toMillis() / MILLIS_PER_SECOND))
+    };
+  }
+
+  /**
+   * An answer that another room agent has given than the one to which it was said.
+   *
+   * @param contents of one message, at least one
+   * @param later the time that was added by that
+   */
+  public static List<Content> through(List<Content> contents, String agent, Duration later) {
+    List<Content> all = new ArrayList<>(contents);
+    List<Content.Argument> arguments = new ArrayList<>(all.get(0).arguments());
+    arguments.addAll(List.of(named(agent, later)));
+    all.set(0, new Content(all.get(0).operator(), arguments));
+    return all;
   }
 
   /** The same of words after which others are to come; all that was said so far. */
   public static Content unfinished(Utterance utterance) {
-    List<Content.Argument> arguments = new ArrayList<>(content(utterance).arguments());
+    return goingOn(content(utterance));
+  }
+
+  /** The same of a request. */
+  public static Content goingOn(Content said) {
+    List<Content.Argument> arguments = new ArrayList<>(said.arguments());
     arguments.add(Words.named("more", Words.name("true")));
     return new Content("say", arguments);
   }
@@ -67,6 +139,14 @@ public final class SayWords {
    */
   public static SaidReply read(List<Content> contents) {
     Words words = Words.of(contents.get(0));
+    SaidReply answer = answer(contents, words);
+    return words
+        .string("through")
+        .<SaidReply>map(agent -> new SaidReply.PassedOn(agent, words.number("later", 0), answer))
+        .orElse(answer);
+  }
+
+  private static SaidReply answer(List<Content> contents, Words words) {
     Optional<String> means = words.string("means");
     if (words.find("goals").isPresent()) {
       return new SaidReply.TakenOn(means.orElse(""), words.strings("goals"));

@@ -98,6 +98,11 @@ public final class OwnGoals {
             member);
   }
 
+  /** The manager of these goals, for what else its agent is asked to do. */
+  public Coordinator manager() {
+    return deliberation.coordinator();
+  }
+
   public void begin() {
     deliberation.begin();
   }

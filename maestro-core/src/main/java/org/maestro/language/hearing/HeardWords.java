@@ -27,6 +27,7 @@ public final class HeardWords {
   private final Lexicon lexicon;
   private final Supplier<Chart> fresh;
   private final Set<String> grammarWords;
+  private final Set<String> foreign;
   private final List<Heard> heard = new ArrayList<>();
   private final List<String> withdrawn = new ArrayList<>();
   private Chart chart;
@@ -47,10 +48,21 @@ public final class HeardWords {
    */
   private record Resumption(List<String> before, int column, List<String> since) {}
 
+  /**
+   * Nothing was heard yet.
+   *
+   * @param grammarWords those with which the grammar's rules speak
+   * @param foreign words that are known elsewhere: who says one means it
+   */
   public HeardWords(
-      Grammar grammar, Set<String> grammarWords, Lexicon lexicon, Supplier<Chart> fresh) {
+      Grammar grammar,
+      Set<String> grammarWords,
+      Set<String> foreign,
+      Lexicon lexicon,
+      Supplier<Chart> fresh) {
     this.grammar = grammar;
     this.grammarWords = grammarWords;
+    this.foreign = foreign;
     this.lexicon = lexicon;
     this.fresh = fresh;
     this.chart = fresh.get();
@@ -397,7 +409,7 @@ public final class HeardWords {
   }
 
   private void misheard(String word) {
-    if (!isKnown(word)) {
+    if (!isKnown(word) && !foreign.contains(word)) {
       Set<String> all = new HashSet<>(grammarWords);
       all.addAll(lexicon.words());
       List<String> fitting = Nearby.of(word, all).stream().filter(this::fits).toList();
@@ -451,7 +463,7 @@ public final class HeardWords {
 
   /** None of the words, to hear others. */
   public HeardWords afresh() {
-    return new HeardWords(grammar, grammarWords, lexicon, fresh);
+    return new HeardWords(grammar, grammarWords, foreign, lexicon, fresh);
   }
 
   /** Whether more words were heard than anybody says in one breath. */

@@ -59,6 +59,35 @@ public final class FactWords {
     return of(formula).map(Phrases::sentence);
   }
 
+  /**
+   * A sentence that tells when it will be so; empty when there are no words for that.
+   *
+   * @param span until then, in words
+   */
+  public Optional<String> foretold(Formula formula, String span) {
+    for (StateWord state : home.wording().states()) {
+      Optional<Term> it = thing(state, formula);
+      Optional<String> sentence = in(state.foretells());
+      if (it.isPresent() && sentence.isPresent() && terms.isA(it.get(), state.of())) {
+        return terms
+            .subject(it.get())
+            .map(
+                text ->
+                    Phrases.capitalized(
+                        sentence.get().replace("{it}", text).replace("{span}", span)));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<Term> thing(StateWord state, Formula formula) {
+    return state
+        .broughtAboutBy()
+        .flatMap(wanted -> Matching.of(wanted, formula))
+        .or(() -> Matching.of(state.holdsWhen(), formula))
+        .map(bound -> bound.get("it"));
+  }
+
   /** The same as a part of a sentence. */
   public Optional<String> of(Formula formula) {
     return clauses(formula, terms).map(this::joined);
@@ -134,12 +163,7 @@ public final class FactWords {
 
   private Optional<Clause> inState(Formula formula, NamedTerms named) {
     for (StateWord state : home.wording().states()) {
-      Optional<Term> it =
-          state
-              .broughtAboutBy()
-              .flatMap(wanted -> Matching.of(wanted, formula))
-              .or(() -> Matching.of(state.holdsWhen(), formula))
-              .map(bound -> bound.get("it"));
+      Optional<Term> it = thing(state, formula);
       Optional<String> word = in(state.says());
       if (it.isPresent() && word.isPresent() && named.isA(it.get(), state.of())) {
         return named

@@ -13,6 +13,7 @@ import org.maestro.sl.Formula;
 /** What becomes of wishes, and what is answered about them. Immutable. */
 public final class GoalWords {
   private static final int MOST = 5;
+  private static final double CENTI = 100;
 
   private final Optional<String> listener;
   private final Phrases phrases;
@@ -146,6 +147,22 @@ public final class GoalWords {
   /** For how long it has been so. */
   public String since(Duration span) {
     return with("so-since", "span", spans.of(span));
+  }
+
+  /** When it will be so, where people have words for that. */
+  public Optional<String> foretold(Optional<Formula> goal, Duration rest) {
+    return goal.flatMap(formula -> facts.foretold(formula, spans.of(rest)));
+  }
+
+  /**
+   * That somebody else answers.
+   *
+   * @param seconds that asking has taken
+   */
+  public String passedOn(String who, double seconds) {
+    return phrases.of(
+        "passed-on",
+        Map.of("who", who, "seconds", phrases.number(Math.round(seconds * CENTI) / CENTI)));
   }
 
   /** How long it takes from now on. */

@@ -3,6 +3,7 @@ package org.maestro.language.hearing;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
@@ -60,6 +61,7 @@ class HeardWordsTest {
         new HeardWords(
             GRAMMAR,
             HeardWords.wordsOf(GRAMMAR),
+            Set.of(),
             LEXICON,
             () -> new Chart(RULES, LEXICON, form -> true));
     new Tokens(GRAMMAR.spellings()).of(text).forEach(heard::take);

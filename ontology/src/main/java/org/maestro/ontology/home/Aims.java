@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
@@ -92,7 +93,14 @@ final class Aims {
     condition.ifPresent(
         formula -> check.checkFormula(node, "memberWhen", List.of("member"), formula));
     List<Formula> goals = pursued(node);
-    if (graph.objects(node, PURSUES).isEmpty()) {
+    Optional<RoomHearing> hearing =
+        individual.classes().contains("RoomAgent")
+            ? Optional.of(new RoomHearing(
+                    names(node, "hears"),
+                    names(node, "understands"),
+                    literals.text(node, "persona")))
+            : Optional.empty();
+    if (graph.objects(node, PURSUES).isEmpty() && hearing.isEmpty()) {
       graph.fault(
           node, "has no maestro:pursues", "state its goal, such as \"(keep ...)\" in MAESTRO-SL");
     }
@@ -106,6 +114,13 @@ final class Aims {
         graph
             .object(node, Maestro.term("plans"))
             .filter(value -> Literals.term(value).equals(new Term.Truth(false)))
-            .isEmpty());
+            .isEmpty(),
+        hearing);
+  }
+
+  private Set<String> names(Node node, String property) {
+    return graph.objects(node, Maestro.term(property)).stream()
+        .map(Literals::name)
+        .collect(Collectors.toSet());
   }
 }

@@ -19,6 +19,7 @@ import org.maestro.sl.Formula;
  * @param pursues its goals, with {@code ?self} for the group; one may be a script of the home
  * @param worth of each of its goals; a script without a benefit here has its own
  * @param plans whether its agent makes plans; else it carries out scripts of calls only
+ * @param hearing what it hears of what is said, if it is a room agent
  */
 public record Group(
     Individual individual,
@@ -27,20 +28,21 @@ public record Group(
     Optional<Formula> memberWhen,
     List<Formula> pursues,
     StatedWorth worth,
-    boolean plans) {
+    boolean plans,
+    Optional<RoomHearing> hearing) {
   public Group {
     members = Collections.unmodifiableSet(new TreeSet<>(members));
     pursues = List.copyOf(pursues);
   }
 
-  /** One that plans, and says nothing of what its goals are worth. */
+  /** One that plans, hears nothing, and says nothing of what its goals are worth. */
   public Group(
       Individual individual,
       Optional<String> container,
       Set<String> members,
       Optional<Formula> memberWhen,
       List<Formula> pursues) {
-    this(individual, container, members, memberWhen, pursues, StatedWorth.NONE, true);
+    this(individual, container, members, memberWhen, pursues, StatedWorth.NONE, true, Optional.empty());
   }
 
   public String id() {

@@ -1,12 +1,15 @@
 package org.maestro.ontology.home;
 
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.apache.jena.graph.Node;
 import org.maestro.ontology.validation.Maestro;
+import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.validation.SourceGraph;
 import org.maestro.sl.Body;
 import org.maestro.sl.Formula;
@@ -31,6 +34,7 @@ final class GroupCheck {
       return;
     }
     Offers offers = new Offers(graph, home);
+    checkHearing(nodes);
     home.groups().forEach((name, group) -> check(HomeCheck.named(nodes, name), group, offers));
   }
 
@@ -49,6 +53,36 @@ final class GroupCheck {
                   new Body.Run(found.name(), ((Formula.Atom) goal).arguments()), THE_GROUP));
       if (!group.plans()) {
         checkThatNothingIsPlanned(node, script);
+      }
+    }
+  }
+
+  /** That what room agents understand is there, and that a room is heard by one of them only. */
+  private void checkHearing(Map<String, Node> nodes) {
+    Set<String> known = new TreeSet<>(home.wording().topics().keySet());
+    home.wording().constructions().forEach(one -> known.add(one.name()));
+    Map<String, String> agentByRoom = new HashMap<>();
+    for (Group group : home.groups().values()) {
+      Node node = HomeCheck.named(nodes, group.id());
+      Set<String> topics = group.hearing().map(RoomHearing::topics).orElse(Set.of());
+      topics.stream()
+          .filter(topic -> !known.contains(topic))
+          .forEach(
+              topic ->
+                  fault(
+                      node,
+                      Maestro.term("understands"),
+                      "names %s, which is neither a topic nor a construction".formatted(topic),
+                      Nearest.cure(topic, known, "declare it as a maestro:Topic")));
+      for (String room : group.hearing().map(RoomHearing::rooms).orElse(Set.of())) {
+        String other = agentByRoom.putIfAbsent(room, group.id());
+        if (other != null) {
+          fault(
+              node,
+              Maestro.term("hears"),
+              "names %s, in which %s hears what is said".formatted(room, other),
+              "keep one of both");
+        }
       }
     }
   }

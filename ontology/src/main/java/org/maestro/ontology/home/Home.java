@@ -120,6 +120,19 @@ public record Home(
     this(iri, label, vocabulary, individuals, devices, Map.of());
   }
 
+  /** The same home with other things and words: what somebody knows of it who knows less. */
+  public Home knownAs(Map<String, Individual> things, Wording asCalled) {
+    return new Home(
+        iri, label, vocabulary, things, devices, groups, scripts, timeZone, asCalled, words, file);
+  }
+
+  /** The agent that hears what is said in a room, if one does. */
+  public Optional<Group> listener(String room) {
+    return groups.values().stream()
+        .filter(group -> group.hearing().filter(its -> its.rooms().contains(room)).isPresent())
+        .findFirst();
+  }
+
   /** Its things of a class, by name. */
   List<Individual> of(String className) {
     return individuals.values().stream()

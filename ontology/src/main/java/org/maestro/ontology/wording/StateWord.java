@@ -11,10 +11,17 @@ import org.maestro.sl.Formula;
  * @param of the class of what can be so
  * @param holdsWhen when it is so
  * @param broughtAboutBy the goal of who wishes it so; empty: nobody can have it so by wishing
+ * @param foretells sentences that tell when {@code {it}} will be so, in {@code {span}}
  */
 public record StateWord(
-    String name, List<Said> says, String of, Formula holdsWhen, Optional<Formula> broughtAboutBy) {
+    String name,
+    List<Said> says,
+    String of,
+    Formula holdsWhen,
+    Optional<Formula> broughtAboutBy,
+    List<Said> foretells) {
   public StateWord {
+    foretells = List.copyOf(foretells);
     says = List.copyOf(says);
   }
 }

@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * What a home's words are called. Immutable.
@@ -16,6 +18,7 @@ import java.util.TreeSet;
  * @param prepositions of predicates of two arguments, by local name
  * @param describing predicates whose values are adjectives
  * @param measures by the fluent's local name
+ * @param topics what constructions are about: their local names, by the topic's
  */
 public record Wording(
     Map<String, String> languages,
@@ -24,13 +27,14 @@ public record Wording(
     Set<String> describing,
     Map<String, Measure> measures,
     List<StateWord> states,
-    List<Construction> constructions) {
+    List<Construction> constructions,
+    Map<String, Set<String>> topics) {
   /** Who speaks as nobody says otherwise. */
   static final String HOME = "";
 
   /** No words at all. */
   public static final Wording NONE =
-      new Wording(Map.of(), Map.of(), Map.of(), Set.of(), Map.of(), List.of(), List.of());
+      new Wording(Map.of(), Map.of(), Map.of(), Set.of(), Map.of(), List.of(), List.of(), Map.of());
 
   public Wording {
     languages = Map.copyOf(languages);
@@ -40,6 +44,45 @@ public record Wording(
     measures = Collections.unmodifiableMap(new TreeMap<>(measures));
     states = List.copyOf(states);
     constructions = List.copyOf(constructions);
+    topics = Collections.unmodifiableMap(new TreeMap<>(topics));
+  }
+
+  /** The same words, with those constructions alone that are named so, or belong to such a topic. */
+  public Wording about(Set<String> names) {
+    Set<String> wanted = new TreeSet<>(names);
+    names.forEach(name -> wanted.addAll(topics.getOrDefault(name, Set.of())));
+    return new Wording(
+        languages,
+        this.names,
+        prepositions,
+        describing,
+        measures,
+        states,
+        constructions.stream().filter(one -> wanted.contains(one.name())).toList(),
+        topics);
+  }
+
+  /**
+   * The same words, without those of classes, predicates and things that are not spoken of.
+   *
+   * @param isSpokenOf by local name
+   */
+  public Wording of(Predicate<String> isSpokenOf) {
+    return new Wording(
+        languages,
+        kept(names, isSpokenOf),
+        kept(prepositions, isSpokenOf),
+        describing.stream().filter(isSpokenOf).collect(Collectors.toSet()),
+        kept(measures, isSpokenOf),
+        states.stream().filter(state -> isSpokenOf.test(state.of())).toList(),
+        constructions,
+        topics);
+  }
+
+  private static <V> Map<String, V> kept(Map<String, V> all, Predicate<String> isSpokenOf) {
+    Map<String, V> kept = new TreeMap<>(all);
+    kept.keySet().removeIf(isSpokenOf.negate());
+    return kept;
   }
 
   /** The tag of the language that somebody speaks: his own, else that of the home. */

@@ -40,7 +40,9 @@ public final class WordingReader {
 
   /** Whether the node is a word of a language only, and no thing. */
   public static boolean isWording(SourceGraph graph, Node node) {
-    return isA(graph, node, "Construction") || isA(graph, node, "State");
+    return isA(graph, node, "Construction")
+        || isA(graph, node, "State")
+        || isA(graph, node, "Topic");
   }
 
   private static boolean isA(SourceGraph graph, Node node, String type) {
@@ -56,6 +58,7 @@ public final class WordingReader {
     Map<String, Measure> measures = new TreeMap<>();
     List<StateWord> states = new ArrayList<>();
     List<Construction> constructions = new ArrayList<>();
+    Map<String, Set<String>> topics = new TreeMap<>();
     for (Node subject : graph.subjects()) {
       if (!subject.isURI()) {
         continue;
@@ -68,6 +71,8 @@ public final class WordingReader {
         state(subject).ifPresent(states::add);
       } else if (isA(graph, subject, "Construction")) {
         construction(subject).ifPresent(constructions::add);
+      } else if (isA(graph, subject, "Topic")) {
+        topics.computeIfAbsent(name, topic -> new TreeSet<>()).addAll(included(subject));
       } else {
         List<Said> called = new ArrayList<>(said(subject, RDFS.label.asNode()));
         called.addAll(said(subject, Maestro.term("alsoCalled")));
@@ -86,7 +91,11 @@ public final class WordingReader {
         }
       }
     }
-    return new Wording(languages, names, prepositions, describing, measures, states, constructions);
+    return new Wording(languages, names, prepositions, describing, measures, states, constructions, topics);
+  }
+
+  private List<String> included(Node topic) {
+    return graph.objects(topic, Maestro.term("includes")).stream().map(Literals::name).toList();
   }
 
   private Measure measure(Node node, String fluent) {
@@ -138,7 +147,8 @@ public final class WordingReader {
             said(node, SAYS),
             of.get(),
             holds.get(),
-            literals.parsed(node, "broughtAboutBy", text -> SlParser.formula(text, fluents))));
+            literals.parsed(node, "broughtAboutBy", text -> SlParser.formula(text, fluents)),
+            said(node, Maestro.term("foretells"))));
   }
 
   private Optional<Construction> construction(Node node) {

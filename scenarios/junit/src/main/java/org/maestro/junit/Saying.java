@@ -26,6 +26,15 @@ public final class Saying {
     this.patience = patience;
   }
 
+  /** What was answered first, by whoever. */
+  private SaidReply first() {
+    return answer(replies.get(0));
+  }
+
+  private static SaidReply answer(SaidReply reply) {
+    return reply instanceof SaidReply.PassedOn passed ? passed.answer() : reply;
+  }
+
   static Saying begin(LocalSite site, Utterance utterance, Duration patience) {
     Saying saying = new Saying(site, utterance.text(), patience);
     site.platform().desk().say(utterance, saying.replies::add);
@@ -41,7 +50,7 @@ public final class Saying {
    * @param message in MAESTRO-SL, such as {@code (initCNP (:goal (= (level lamp-1) 1)))}
    */
   public Saying means(String message) {
-    SaidReply first = replies.get(0);
+    SaidReply first = first();
     Optional<String> means =
         first instanceof SaidReply.TakenOn taken
             ? Optional.of(taken.means())
@@ -55,38 +64,51 @@ public final class Saying {
   /** It was a question, or a greeting, and this was answered. */
   public Saying replies(String sentence) {
     return require(
-        replies.get(0) instanceof SaidReply.Replied replied && replied.text().equals(sentence),
+        first() instanceof SaidReply.Replied replied && replied.text().equals(sentence),
         "be answered: " + sentence);
+  }
+
+  /** The room did not understand it, and the agent of another one does it. */
+  public Saying isPassedOnTo(String agent) {
+    return require(
+        replies.get(0) instanceof SaidReply.PassedOn passed && passed.agent().equals(agent),
+        "be passed on to " + agent);
+  }
+
+  /** It was understood where it was said. */
+  public Saying isUnderstoodHere() {
+    return require(
+        !(replies.get(0) instanceof SaidReply.PassedOn), "be understood where it was said");
   }
 
   /** This was asked back; what the person says next answers it. */
   public Saying asks(String question) {
     return require(
-        replies.get(0) instanceof SaidReply.Asked asked && asked.question().equals(question),
+        first() instanceof SaidReply.Asked asked && asked.question().equals(question),
         "be asked back: " + question);
   }
 
   /** Nothing comes of it, for a reason in which these words stand. */
   public Saying isRefused(String reason) {
     return require(
-        replies.get(0) instanceof SaidReply.Refused refused && refused.why().contains(reason),
+        first() instanceof SaidReply.Refused refused && refused.why().contains(reason),
         "be refused: " + reason);
   }
 
   /** It was taken as the answer to the question of a script. */
   public Saying isAnAnswer() {
     return require(
-        replies.get(0) instanceof SaidReply.Answered, "be the answer to the question of a script");
+        first() instanceof SaidReply.Answered, "be the answer to the question of a script");
   }
 
   /** Lets time pass until all that it states is so. */
   public Saying isReached() {
-    require(replies.get(0) instanceof SaidReply.TakenOn, "state a goal");
+    require(first() instanceof SaidReply.TakenOn, "state a goal");
     if (!site.runUntil(() -> replies.size() > 1, patience)) {
       throw new StageException(
           "What \"%s\" states did not end within %s.".formatted(text, patience));
     }
-    return require(replies.get(1) instanceof SaidReply.Over over && over.reached(), "be reached");
+    return require(answer(replies.get(1)) instanceof SaidReply.Over over && over.reached(), "be reached");
   }
 
   private Saying require(boolean holds, String expectation) {

@@ -44,7 +44,7 @@ public final class Unfinished {
   }
 
   private Utterance said(String text) {
-    return new Utterance(words.person(), words.room(), text, words.asker(), words.language());
+    return words.saying(text);
   }
 
   /** Nothing more is said. */

@@ -158,7 +158,8 @@ final class OtherWords {
               said(state.says(), text),
               state.of(),
               state.holdsWhen(),
-              state.broughtAboutBy()));
+              state.broughtAboutBy(),
+              said(state.foretells(), text)));
     }
     List<Construction> constructions = new ArrayList<>();
     for (Construction one : wording.constructions()) {
@@ -194,7 +195,8 @@ final class OtherWords {
         wording.describing(),
         measures,
         states,
-        constructions);
+        constructions,
+        wording.topics());
   }
 
   private static Map<String, List<Said>> said(

@@ -18,6 +18,8 @@ import org.maestro.dialogue.Utterance;
 import org.maestro.language.wording.AnswerWords;
 import org.maestro.language.wording.GoalWords;
 import org.maestro.language.wording.Wish;
+import org.maestro.ontology.home.Group;
+import org.maestro.ontology.home.Home;
 
 /**
  * The home itself as an interlocutor: understands what people say in their language, and reads
@@ -88,8 +90,63 @@ public final class HomeInterlocutor implements Interlocutor {
             around, conversations.apply(person), questions, stories, stated, paraphraser);
   }
 
+  /**
+   * Where the room has an agent that listens, it is understood with the words of that; what these
+   * do not say, with those of the room that understands it, which answers then.
+   */
   @Override
   public void hear(Utterance utterance, Consumer<ChatEvent> listener) {
+    Optional<String> agent =
+        around
+            .home()
+            .get()
+            .listener(utterance.room())
+            .map(Group::id)
+            .filter(its -> isSpoken(utterance));
+    if (agent.isEmpty()) {
+      answer(utterance, listener);
+      return;
+    }
+    Utterance heard = utterance.heardBy(agent.get());
+    if (isNaming() || spoken.grasp(heard).isUnderstood()) {
+      answer(heard, voice(agent.get(), listener));
+      return;
+    }
+    questions
+        .whoUnderstands(heard)
+        .thenAccept(who -> passOn(heard, who, listener))
+        .exceptionally(
+            nobody -> {
+              answer(heard, voice(agent.get(), listener));
+              return null;
+            });
+  }
+
+  private Consumer<ChatEvent> voice(String agent, Consumer<ChatEvent> listener) {
+    return Voice.of(Voice.persona(around.home().get(), agent), listener);
+  }
+
+  /** Who hears several voices is told who answers, and what asking has taken. */
+  private void passOn(
+      Utterance heard, AclQuestions.Understander who, Consumer<ChatEvent> listener) {
+    Home home = around.home().get();
+    String first = heard.listener().orElseThrow();
+    Optional<String> other = Voice.persona(home, who.agent());
+    if (other.isPresent() && !other.equals(Voice.persona(home, first))) {
+      voice(first, listener)
+          .accept(
+              new ChatEvent.Told(
+                  "", spoken.goals(heard).passedOn(other.get(), who.laterSeconds())));
+    }
+    answer(heard.heardBy(who.agent()), voice(who.agent(), listener));
+  }
+
+  /** Whether it may say which of several goals is to be called off. */
+  private synchronized boolean isNaming() {
+    return open.filter(Open.Which.class::isInstance).isPresent();
+  }
+
+  private void answer(Utterance utterance, Consumer<ChatEvent> listener) {
     GoalWords words = spoken.goals(utterance);
     Optional<Open> asked = closed();
     if (asked.isPresent() && asked.get() instanceof Open.Which which) {
@@ -126,7 +183,7 @@ public final class HomeInterlocutor implements Interlocutor {
         .thenAccept(
             proposals ->
                 proposals.stream()
-                    .filter(text -> isUnderstood(saying(utterance, text)))
+                    .filter(text -> isUnderstood(utterance.saying(text)))
                     .findFirst()
                     .ifPresentOrElse(
                         text -> {
@@ -141,11 +198,6 @@ public final class HomeInterlocutor implements Interlocutor {
     return isSpoken(instead)
         ? spoken.isUnderstood(instead)
         : written.read(instead) instanceof Reading.Goal;
-  }
-
-  private static Utterance saying(Utterance utterance, String text) {
-    return new Utterance(
-        utterance.person(), utterance.room(), text, utterance.asker(), utterance.language());
   }
 
   /** The question that was open; it is open no more. */
@@ -203,7 +255,7 @@ public final class HomeInterlocutor implements Interlocutor {
     if (agreed.yes() && asked.isPresent() && asked.get() instanceof Open.Look look) {
       goals.state(List.of(look.goal()), utterance, words, listener);
     } else if (agreed.yes() && asked.isPresent() && asked.get() instanceof Open.Instead instead) {
-      hear(saying(utterance, instead.text()), listener);
+      answer(utterance.saying(instead.text()), listener);
     } else if (agreed.yes()
         && asked.isPresent()
         && asked.get() instanceof Open.Which which

@@ -37,6 +37,7 @@ import org.maestro.sl.Term;
 final class SpokenGoals {
   private static final Pattern GOAL = Pattern.compile("\\bG\\d+(\\.\\d+)*\\b");
   private static final double A_WHILE_SECONDS = 3;
+  private static final Duration LONG = Duration.ofMinutes(1);
   private static final Set<StoryEntry.Kind> TOLD =
       EnumSet.of(StoryEntry.Kind.MISCONDUCT, StoryEntry.Kind.LOST, StoryEntry.Kind.RESTART);
 
@@ -82,6 +83,7 @@ final class SpokenGoals {
     private final AtomicBoolean isOver = new AtomicBoolean();
     private final CompletableFuture<GoalReport> report = new CompletableFuture<>();
     private final Set<String> toldSteps = new HashSet<>();
+    private boolean isForetold;
 
     Course(
         String text,
@@ -116,6 +118,7 @@ final class SpokenGoals {
               new AskedGoal(text)
                   .person(utterance.asker())
                   .speaker(Optional.of(utterance.person())),
+              utterance.room(),
               report::complete)
           .thenAccept(
               id -> {
@@ -124,6 +127,9 @@ final class SpokenGoals {
                 listener.accept(
                     new ChatEvent.Understood(
                         id, isRefused() ? words.reason(wish()) : words.accepted(wish())));
+                if (!GOAL.matcher(id).matches()) {
+                  tell(id, words.phrase("room-alone"));
+                }
                 stories.follow(id, entry -> happened(id, entry));
               })
           .exceptionally(
@@ -185,6 +191,7 @@ final class SpokenGoals {
 
     /** Each step that takes a while, when it has begun. */
     private synchronized void steps(String id, JsonNode plans) {
+      foretell(id, plans);
       for (JsonNode plan : plans.path("plans")) {
         for (JsonNode step : plan.path("steps")) {
           String key = plan.path("number").asText() + "." + step.path("number").asText();
@@ -201,6 +208,16 @@ final class SpokenGoals {
           }
         }
       }
+    }
+
+    /** Once, when it takes long until it is so. */
+    private void foretell(String id, JsonNode plans) {
+      Optional<String> foretold =
+          Remaining.of(plans, around.now().get())
+              .filter(rest -> !isForetold && rest.compareTo(LONG) >= 0)
+              .flatMap(rest -> words.foretold(formula, rest));
+      isForetold |= foretold.isPresent();
+      foretold.ifPresent(sentence -> tell(id, sentence));
     }
 
     private void end(String id, GoalReport ended, StoryEntry entry) {

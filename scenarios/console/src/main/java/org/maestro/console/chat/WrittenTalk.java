@@ -84,12 +84,7 @@ final class WrittenTalk {
 
   /** Here is where it was begun. */
   private static Utterance joined(Utterance before, Utterance now) {
-    return new Utterance(
-        before.person(),
-        before.room(),
-        before.text() + " " + now.text(),
-        now.asker(),
-        now.language());
+    return now.saying(before.text() + " " + now.text()).in(before.room());
   }
 
   private static ChatEvent questionBack(Reading.Unfinished part, WrittenWords words) {

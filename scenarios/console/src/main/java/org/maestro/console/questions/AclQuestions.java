@@ -302,11 +302,20 @@ public final class AclQuestions implements Questions {
    * @param ended told once how a goal that was accepted has ended
    */
   public CompletableFuture<String> state(AskedGoal goal, Consumer<GoalReport> ended) {
+    return state(goal, "", ended);
+  }
+
+  /**
+   * The same of one that was said in a room, whose agent takes it on while there is no central one.
+   *
+   * @param room "" of none
+   */
+  public CompletableFuture<String> state(
+      AskedGoal goal, String room, Consumer<GoalReport> ended) {
     CompletableFuture<String> accepted = new CompletableFuture<>();
-    desk.request(
-        ACLMessage.REQUEST,
-        AgentNames.COORDINATOR,
-        DeskAgent.NO_END,
+    desk.state(
+        goal,
+        room,
         reply -> {
           if (reply.getPerformative() == ACLMessage.AGREE) {
             accepted.complete(Reply.words(reply).get(0).string("goal").orElse(""));
@@ -315,9 +324,32 @@ public final class AclQuestions implements Questions {
           } else if (DeskAgent.isEnd(reply)) {
             accepted.completeExceptionally(refusal(reply));
           }
-        },
-        goal.content());
+        });
     return accepted;
+  }
+
+  /**
+   * A room agent that understands something.
+   *
+   * @param laterSeconds what asking the others has taken
+   */
+  public record Understander(String agent, double laterSeconds) {}
+
+  /** Which of the room agents understands it; refused where none does. */
+  public CompletableFuture<Understander> whoUnderstands(Utterance utterance) {
+    CompletableFuture<Understander> answer = new CompletableFuture<>();
+    desk.whoUnderstands(
+        utterance,
+        reply -> {
+          Optional<String> agent = Reply.words(reply).get(0).string("through");
+          if (reply.getPerformative() == ACLMessage.INFORM && agent.isPresent()) {
+            answer.complete(
+                new Understander(agent.get(), Reply.words(reply).get(0).number("later", 0)));
+          } else {
+            answer.completeExceptionally(refusal(reply));
+          }
+        });
+    return answer;
   }
 
   private static RefusalException refusal(ACLMessage reply) {

@@ -1,0 +1,11 @@
+/**
+ * What an agent of a room has beside that of a group: it hears what is said there, with the words
+ * of its own topics, and passes on to the agents of other rooms what it does not understand. What
+ * people say flows in, from whoever hears it or from another room; what is to be done about it
+ * flows to the central agent, or, while there is none, to the room's own manager of goals. It knows
+ * no kind of room or device.
+ */
+@NullMarked
+package org.maestro.agents.rooms;
+
+import org.jspecify.annotations.NullMarked;
