@@ -27,6 +27,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.awaitility.Awaitility;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -135,6 +136,23 @@ final class ServedHome implements AutoCloseable {
         site -> Optional.empty());
   }
 
+  /**
+   * The flat whose rooms listen, in Bob's place.
+   *
+   * @param other what is otherwise in its text
+   */
+  static ServedHome startRooms(UnaryOperator<String> other) {
+    Home home = new HomeLoader().load(other.apply(resource("/homes/rooms.ttl")), "rooms.ttl");
+    return start(
+        NAME,
+        home,
+        settings -> settings.scene(SceneLoader.load("rooms", stream("/scenes/rooms.ttl"), home)),
+        Optional.empty(),
+        Serving.onLoopback(0),
+        HttpClient.newHttpClient(),
+        site -> Optional.empty());
+  }
+
   /** The same with a directory in which its past is kept. */
   static ServedHome startWith(Path data) {
     return start(NAME, settings -> {}, Optional.of(data));
@@ -193,9 +211,10 @@ final class ServedHome implements AutoCloseable {
       Serving serving,
       HttpClient client,
       Function<LocalSite, Optional<Truth>> truth) {
-    SiteSettings.Builder settings =
-        SiteSettings.of(name, home)
-            .scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
+    SiteSettings.Builder settings = SiteSettings.of(name, home);
+    if (home.individuals().containsKey("Bob")) {
+      settings.scene(SceneLoader.load("bob-dark", stream("/scenes/bob-dark.ttl"), home));
+    }
     more.accept(settings);
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
     return new ServedHome(

@@ -2,12 +2,7 @@ package org.maestro.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import org.awaitility.Awaitility;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 
@@ -16,23 +11,6 @@ import org.junit.jupiter.api.parallel.Isolated;
  */
 @Isolated("its time is wall time, which others beside it would take")
 class TalkOfGoalsTest {
-  private static final Duration LIMIT = Duration.ofSeconds(60);
-
-  /** What was told to Bob since he said it. */
-  private static List<String> told(ServedHome home, long since) {
-    List<String> told = new ArrayList<>();
-    try {
-      for (JsonNode entry : home.get("/chat").document().path("entries")) {
-        if (entry.path("number").asLong() > since && !entry.path("kind").asText().equals("said")) {
-          told.add(entry.path("text").asText());
-        }
-      }
-    } catch (Exception e) {
-      throw new AssertionError(e);
-    }
-    return told;
-  }
-
   /** Says it, and waits until that is told. */
   private static List<String> says(ServedHome home, String text, String awaited) throws Exception {
     return says(home, text, "en", awaited);
@@ -40,19 +18,7 @@ class TalkOfGoalsTest {
 
   private static List<String> says(ServedHome home, String text, String language, String awaited)
       throws Exception {
-    JsonNode body =
-        JsonNodeFactory.instance
-            .objectNode()
-            .put("person", "Bob")
-            .put("room", "room-a")
-            .put("text", text)
-            .put("language", language);
-    long number = home.post("/chat", body.toString()).document().path("number").asLong();
-    Awaitility.await(text)
-        .atMost(LIMIT)
-        .untilAsserted(
-            () -> assertThat(told(home, number)).anyMatch(line -> line.contains(awaited)));
-    return told(home, number);
+    return new PersonInChat(home, "Bob", "room-a").says(text, language, awaited);
   }
 
   @Test

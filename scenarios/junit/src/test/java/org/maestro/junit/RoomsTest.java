@@ -52,6 +52,22 @@ class RoomsTest {
     dave.says("turn it off").isPassedOnTo("kitchen-agent").isReached();
   }
 
+  /** The house agent fails: rooms carry on with what they have, and say what they cannot (A91). */
+  @Test
+  void withoutACentralAgentARoomDoesWhatItCanItself(Stage stage) {
+    stage.platform().endAgent("CCA");
+
+    Speaker dave = stage.speaker("Dave").in("bedroom");
+    dave.says("turn on the light").isUnderstoodHere().isReached();
+    dave.says("is the bedroom light on?").replies("Yes.");
+    dave.says("undo that").isReached();
+    assertThat(stage.knowledge()).knows("(= (level bed-lamp) 0)");
+    dave.says(PASTA).isPassedOnTo("kitchen-agent").isReached();
+
+    stage.platform().reviveCoordinator();
+    dave.says("turn on the light").isReached();
+  }
+
   @Test
   void whatNobodyUnderstandsIsSaidToBeSo(Stage stage) {
     stage.speaker("Dave").in("bedroom").says("sing the blues").isRefused("");
