@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
       GoalsCommand.class,
       KnowCommand.class,
       WordsCommand.class,
+      RoomsCommand.class,
       UnderstandCommand.class,
       SayCommand.class,
       ChatCommand.class,
