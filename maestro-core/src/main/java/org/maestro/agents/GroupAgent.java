@@ -47,6 +47,10 @@ import org.maestro.sl.Truth;
 public final class GroupAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
 
+  private static final String KNOWN = "inform, yield, cancel, answer, query-ref and subscribe";
+  private static final String KNOWN_IN_ROOMS =
+      "inform, yield, cancel, answer, query-ref, subscribe, say, understand and initCNP";
+
   /** Members come and go; so often their agents are asked, and the condition is looked at. */
   private static final Duration BETWEEN_ROLL_CALLS = Duration.ofSeconds(60);
 
@@ -222,14 +226,14 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   }
 
   private void notUnderstood(ACLMessage message, Content content) {
-            refuse(
-                message,
-                ACLMessage.NOT_UNDERSTOOD,
-                group.id()
-                    + " does not know the operator "
-                    + Replies.shortened(content.operator())
-                    + "; it knows inform, yield, cancel, answer, query-ref"
-                    + (listening.isPresent() ? ", subscribe, say, understand and initCNP." : " and subscribe."));
+    refuse(
+        message,
+        ACLMessage.NOT_UNDERSTOOD,
+        "%s does not know the operator %s; it knows %s."
+            .formatted(
+                group.id(),
+                Replies.shortened(content.operator()),
+                listening.isPresent() ? KNOWN_IN_ROOMS : KNOWN));
   }
 
   /** An agent speaks of its own member only; that one is gone the supervisor may say as well. */
