@@ -249,8 +249,7 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   }
 
   /** Asks the first of some agents that is there. */
-  private void requestOfFirst(
-      List<String> agents, Consumer<ACLMessage> replies, Content content) {
+  private void requestOfFirst(List<String> agents, Consumer<ACLMessage> replies, Content content) {
     tell(() -> askFirst(agents, replies, content));
   }
 

@@ -102,10 +102,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
     KnowledgeBase knowledge = mind.knowledge();
     GoalRequests requests =
         new GoalRequests(
-            this,
-            knowledge,
-            goals.manager(),
-            new ToldStories(this, story, Map.of(), goalId -> {}));
+            this, knowledge, goals.manager(), new ToldStories(this, story, Map.of(), goalId -> {}));
     return new RoomListening(
         this,
         group.id(),

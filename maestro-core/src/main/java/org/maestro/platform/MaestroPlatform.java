@@ -92,8 +92,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     settings.decisionTime(),
                     before,
                     dialogues));
-    this.desk =
-        new DeskAgent(time, room -> knowledge.home().listener(room).map(Group::id));
+    this.desk = new DeskAgent(time, room -> knowledge.home().listener(room).map(Group::id));
     Surroundings here =
         new Surroundings(
             time, services.link(), services.describedBy(), Optional.of(mind), stories, past);

@@ -108,8 +108,7 @@ public final class Society implements AutoCloseable {
         group,
         story::add,
         Past.none(),
-        new Dialogues(
-            mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant));
+        new Dialogues(mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant));
   }
 
   /** Somebody has seen that it is so. */

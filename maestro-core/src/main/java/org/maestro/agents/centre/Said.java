@@ -20,8 +20,7 @@ public record Said(ACLMessage message, Words words, Caller caller, Utterance utt
    *
    * @param agent that has the message; its thread
    */
-  public static Optional<Said> of(
-      MaestroAgent agent, Home home, ACLMessage message, Words words) {
+  public static Optional<Said> of(MaestroAgent agent, Home home, ACLMessage message, Words words) {
     Optional<String> text = words.terms().stream().findFirst().map(Words::plain);
     Optional<String> person = words.string("by");
     boolean isToBeDone =

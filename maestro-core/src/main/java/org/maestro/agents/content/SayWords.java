@@ -68,7 +68,9 @@ public final class SayWords {
         Words.named("coverage", Words.number(grasp.coverage())));
   }
 
-  /** The answer to who asked all rooms: the agent that understands it, and what asking has taken. */
+  /**
+   * The answer to who asked all rooms: the agent that understands it, and what asking has taken.
+   */
   public static Content understood(String agent, Duration later) {
     return Words.content("understand", named(agent, later));
   }

@@ -21,7 +21,8 @@ import org.maestro.sl.Content;
 /**
  * The contract net among the agents of rooms over something that was said in one of them and is not
  * understood there (ADE, 5; A72, A87): of those that understand it, the one does it that has a
- * place for most of its words, or else has most of the things it speaks of; its answers are told by the first. Agent thread only.
+ * place for most of its words, or else has most of the things it speaks of; its answers are told by
+ * the first. Agent thread only.
  */
 final class RoundOfRooms {
   private static final Duration NO_END = Duration.ofDays(365);
@@ -116,8 +117,7 @@ final class RoundOfRooms {
       agent.reply(
           said.message(),
           reply.getPerformative(),
-          SayWords.through(Words.parse(reply.getContent()), winner, later)
-              .toArray(Content[]::new));
+          SayWords.through(Words.parse(reply.getContent()), winner, later).toArray(Content[]::new));
     }
   }
 
@@ -174,15 +174,15 @@ final class RoundOfRooms {
           .filter(other -> best.filter(other::equals).isEmpty())
           .forEach(other -> reject(other, "Another room has a place for more of the words."));
       best.ifPresentOrElse(
-          proposal -> outcome.understood(proposal, agent.clock().toWall(agent.clock().now().minus(began))),
+          proposal ->
+              outcome.understood(proposal, agent.clock().toWall(agent.clock().now().minus(began))),
           () -> outcome.notUnderstood(reason()));
     }
 
     private static Optional<ACLMessage> best(List<ACLMessage> answers) {
       return answers.stream()
           .min(
-              Comparator.comparingDouble(
-                      (ACLMessage answer) -> -number(answer, "coverage"))
+              Comparator.comparingDouble((ACLMessage answer) -> -number(answer, "coverage"))
                   .thenComparingDouble(answer -> -number(answer, "own"))
                   .thenComparing(answer -> answer.getSender().getLocalName()));
     }

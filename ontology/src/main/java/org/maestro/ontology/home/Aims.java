@@ -95,7 +95,8 @@ final class Aims {
     List<Formula> goals = pursued(node);
     Optional<RoomHearing> hearing =
         individual.classes().contains("RoomAgent")
-            ? Optional.of(new RoomHearing(
+            ? Optional.of(
+                new RoomHearing(
                     names(node, "hears"),
                     names(node, "understands"),
                     literals.text(node, "persona")))

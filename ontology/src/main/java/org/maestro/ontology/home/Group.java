@@ -42,7 +42,15 @@ public record Group(
       Set<String> members,
       Optional<Formula> memberWhen,
       List<Formula> pursues) {
-    this(individual, container, members, memberWhen, pursues, StatedWorth.NONE, true, Optional.empty());
+    this(
+        individual,
+        container,
+        members,
+        memberWhen,
+        pursues,
+        StatedWorth.NONE,
+        true,
+        Optional.empty());
   }
 
   public String id() {

@@ -47,7 +47,9 @@ public record Wording(
     topics = Collections.unmodifiableMap(new TreeMap<>(topics));
   }
 
-  /** The same words, with those constructions alone that are named so, or belong to such a topic. */
+  /**
+   * The same words, with those constructions alone that are named so, or belong to such a topic.
+   */
   public Wording about(Set<String> names) {
     Set<String> wanted = new TreeSet<>(names);
     names.forEach(name -> wanted.addAll(topics.getOrDefault(name, Set.of())));

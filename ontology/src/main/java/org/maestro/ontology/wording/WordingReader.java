@@ -91,7 +91,8 @@ public final class WordingReader {
         }
       }
     }
-    return new Wording(languages, names, prepositions, describing, measures, states, constructions, topics);
+    return new Wording(
+        languages, names, prepositions, describing, measures, states, constructions, topics);
   }
 
   private List<String> included(Node topic) {

@@ -7,7 +7,9 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 
-/** Who speaks in a room whose agent listens is answered in the chat by whichever understands her. */
+/**
+ * Who speaks in a room whose agent listens is answered in the chat by whichever understands her.
+ */
 @Isolated("its time is wall time, which others beside it would take")
 class RoomsOfConsoleTest {
   private static final String PASTA = "Heat up the pasta from last night.";

@@ -108,7 +108,8 @@ public final class Saying {
       throw new StageException(
           "What \"%s\" states did not end within %s.".formatted(text, patience));
     }
-    return require(answer(replies.get(1)) instanceof SaidReply.Over over && over.reached(), "be reached");
+    return require(
+        answer(replies.get(1)) instanceof SaidReply.Over over && over.reached(), "be reached");
   }
 
   private Saying require(boolean holds, String expectation) {

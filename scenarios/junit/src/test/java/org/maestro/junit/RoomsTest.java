@@ -4,7 +4,9 @@ import static org.maestro.junit.MaestroAssertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** What is said in rooms whose agents listen, each with words of its own (ADE, 5; A13, A77, A87). */
+/**
+ * What is said in rooms whose agents listen, each with words of its own (ADE, 5; A13, A77, A87).
+ */
 @MaestroTest(home = "rooms", scene = "rooms")
 class RoomsTest {
   private static final String PASTA = "Heat up the pasta from last night.";

@@ -49,8 +49,7 @@ final class RoomsCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  private static List<String> row(
-      Home home, Language language, Group group, RoomHearing hearing) {
+  private static List<String> row(Home home, Language language, Group group, RoomHearing hearing) {
     return List.of(
         group.id(),
         String.join(" ", hearing.rooms()),

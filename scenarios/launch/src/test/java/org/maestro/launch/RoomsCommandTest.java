@@ -31,7 +31,8 @@ class RoomsCommandTest {
             .collect(Collectors.toMap(row -> row[0], row -> row));
 
     assertThat(rowByAgent.keySet())
-        .containsExactlyInAnyOrder("bathroom-agent", "bedroom-agent", "kitchen-agent", "living-agent");
+        .containsExactlyInAnyOrder(
+            "bathroom-agent", "bedroom-agent", "kitchen-agent", "living-agent");
     int kitchen = Integer.parseInt(rowByAgent.get("kitchen-agent")[WORDS]);
     int bedroom = Integer.parseInt(rowByAgent.get("bedroom-agent")[WORDS]);
     assertThat(kitchen).isGreaterThan(bedroom);

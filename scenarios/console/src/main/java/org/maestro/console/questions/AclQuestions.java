@@ -310,8 +310,7 @@ public final class AclQuestions implements Questions {
    *
    * @param room "" of none
    */
-  public CompletableFuture<String> state(
-      AskedGoal goal, String room, Consumer<GoalReport> ended) {
+  public CompletableFuture<String> state(AskedGoal goal, String room, Consumer<GoalReport> ended) {
     CompletableFuture<String> accepted = new CompletableFuture<>();
     desk.state(
         goal,
