@@ -55,7 +55,7 @@ final class ExplorationFigures {
         Figure.of(
             "success",
             "Share of runs in which data was sent, with the interval that holds the true share with 95 %, over what is assumed of subjects: by which share they think shorter once they hear a stressed voice.",
-            chart("Data was sent", "runs (%)", PERCENT * ROOM_ABOVE, ExplorationFigures::success)));
+            chart("Data was sent", "runs (%)", PERCENT + 5, ExplorationFigures::success)));
     double longest = all.stream().mapToDouble(one -> one.times().greatest()).max().orElse(1);
     figures.add(
         Figure.of(

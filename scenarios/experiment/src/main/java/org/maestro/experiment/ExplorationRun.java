@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.maestro.experiment.drawing.Figure;
+import org.maestro.experiment.drawing.Terrain;
 import org.maestro.experiment.running.Conversation;
 import org.maestro.experiment.running.Trial;
 import org.maestro.experiment.running.TrialSite;
@@ -17,10 +18,10 @@ import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.home.Home;
-import org.maestro.picture.TopView;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.FloorMap;
+import org.maestro.sim.world.PathPoint;
 import org.maestro.sim.world.World;
 
 /**
@@ -47,6 +48,9 @@ record ExplorationRun(
   private static final String HOME = "exploration";
   private static final String ROBOT = "rover";
   private static final String PERSON = "explorer";
+
+  /** Of the shipped home's crater. */
+  private static final double SIDE_METRES = 20;
 
   /** Longer than any mission. */
   private static final Duration NO_LONGER = Duration.ofMinutes(30);
@@ -126,7 +130,6 @@ record ExplorationRun(
               });
       Conversation talk = site.conversation(PERSON);
       site.run(Duration.ofSeconds(1));
-      TopView view = new TopView(home, site.world());
       double bound = boundSeconds(site.world(), home, settings);
       Duration begun = site.clock().now();
       TrialSite.Underway mission = site.begin(condition.mission());
@@ -147,8 +150,24 @@ record ExplorationRun(
           talk.said().size(),
           subject.readings(),
           lines(talk, begun),
-          pictured ? List.of(MoveRun.picture(view, number)) : List.of());
+          pictured ? List.of(picture(site.world(), settings, number)) : List.of());
     }
+  }
+
+  private static Figure picture(World world, Settings settings, int number) {
+    return Figure.of(
+        "run-" + number,
+        "The first subject's run, from above: the signal, which the subject does not see, and the robot's way.",
+        Terrain.draw(
+            "The robot's way over the signal",
+            SIDE_METRES,
+            world.signal()::strength,
+            Physics.of(settings).signal().peak(),
+            "signal, the darker the stronger",
+            world.whereabouts().obstacles(ROBOT).stream()
+                .map(rock -> new Terrain.Body(rock.middle(), rock.radius()))
+                .toList(),
+            world.path(ROBOT).stream().map(PathPoint::point).toList()));
   }
 
   private static List<Line> lines(Conversation talk, Duration begun) {
