@@ -31,6 +31,7 @@ final class ExplorationPage {
                 "time of all runs, mean",
                 "time of runs with success, mean",
                 "longer than control, the same subjects",
+                "heard a stressed voice",
                 "utterances, mean"),
             all.stream().map(series -> row(series, control(all))).toList());
     page.heading("Figures");
@@ -88,6 +89,10 @@ final class ExplorationPage {
             .map(series::longerThan)
             .map(ExplorationPage::seconds)
             .orElse(""),
+        "%d of %d"
+            .formatted(
+                series.runs().stream().filter(ExplorationRun::isStressHeard).count(),
+                series.runs().size()),
         String.format(
             Locale.ROOT,
             "%.1f",
@@ -122,8 +127,9 @@ final class ExplorationPage {
 
   private static List<String> meaning() {
     return List.of(
-        "It shows that the whole chain works: words are understood, the robot drives by them and stops before what is in its way, the field beside the platform is asked for readings, a script reports at fixed times, and the mood that it expresses reaches who listens.",
-        "It shows that in control, where no stress is expressed, κ cannot act; and that with κ = 0 an expression alone changes nothing.",
+        "A run with success shows that the chain works to its end: words are understood, the robot drives by them and stops before what is in its way, the field beside the platform is asked for readings, and the robot sends its data where it may, as the simulated world says.",
+        "The column of those who heard a stressed voice shows how far the mood that a script expresses reaches who listens. Who is done before the second report hears none in either condition.",
+        "In control nobody hears stress, so that κ cannot act; what differs between the conditions is the script's expression alone.",
         "It does not show that a stressed voice makes people faster. The paper reports that of its subjects; a program that is told to be faster is.",
         "The voice is a mood that is shown beside the sentences; nothing is spoken aloud, and nobody has judged how it sounds.",
         "Times are compared between the same simulated subjects (the same seed) under each condition; until the first report they do the same in all of them.");

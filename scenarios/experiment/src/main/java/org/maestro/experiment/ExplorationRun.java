@@ -89,7 +89,7 @@ record ExplorationRun(
 
     private String mission() {
       return "(mission %s \"%s\" %s)"
-          .formatted(PERSON, affect ? "stressed" : "neutral", affect ? "0.8" : "0");
+          .formatted(PERSON, affect ? SimulatedSubject.STRESSED : "neutral", affect ? "0.8" : "0");
     }
   }
 
@@ -186,7 +186,8 @@ record ExplorationRun(
         least,
         Math.max(least, settings.number(MEAN_DELAY.name())),
         settings.number(ERRORS.name()),
-        condition.kappa());
+        condition.kappa(),
+        Physics.of(settings).signal().needed());
   }
 
   private static double seconds(Duration at, Duration begun) {
@@ -201,6 +202,11 @@ record ExplorationRun(
         FloorMap.number(Objects.requireNonNull(home.individuals().get(ROBOT)), "speed")
             .orElseThrow();
     return way / speed + Physics.of(settings).signal().transmitSeconds();
+  }
+
+  /** Whether the subject was told something in a stressed voice. */
+  boolean isStressHeard() {
+    return lines.stream().anyMatch(line -> line.voice().equals(SimulatedSubject.STRESSED));
   }
 
   /** Why it was no success; empty when it was. */

@@ -17,15 +17,14 @@ import org.maestro.experiment.running.Conversation;
  * once it has heard a stressed voice, is assumed; it says nothing of people. For one thread.
  */
 final class SimulatedSubject {
-  /** What it was told before: with so strong a signal data can be sent. */
-  private static final int ENOUGH = 80;
+  /** The voice that makes it think shorter. */
+  static final String STRESSED = "stressed";
 
   /** Below this it has the robot go on until it says stop. */
   private static final int FAR_AWAY = 30;
 
   private static final Duration LONG_ENOUGH = Duration.ofSeconds(4);
   private static final Duration PATIENCE = Duration.ofSeconds(90);
-  private static final String STRESSED = "stressed";
   private static final String EMPTY = "My battery is empty.";
   private static final String BLOCKED = "Something is in my way.";
   private static final Pattern READING = Pattern.compile("The signal is (\\d+)\\.");
@@ -43,8 +42,10 @@ final class SimulatedSubject {
    *     exponentially distributed
    * @param errors share of turns, and of comparisons, in which it errs
    * @param kappa share by which it thinks shorter once it has heard a stressed voice
+   * @param enough what it was told before: with so strong a signal data can be sent
    */
-  record Manner(double leastSeconds, double meanSeconds, double errors, double kappa) {}
+  record Manner(
+      double leastSeconds, double meanSeconds, double errors, double kappa, double enough) {}
 
   SimulatedSubject(Conversation talk, Manner manner, SplittableRandom chance) {
     this.talk = talk;
@@ -72,13 +73,13 @@ final class SimulatedSubject {
     int last = read().orElse(0);
     Course course = Course.NEW;
     while (!isOver()) {
-      if (last >= ENOUGH && transmit()) {
+      if (last >= manner.enough() && transmit()) {
         return;
       }
       boolean isFree = last < FAR_AWAY ? goFar() : goSomeWay();
       int now = read().orElse(last);
       boolean grows = (now > last) != errs();
-      if (now >= ENOUGH || isFree && grows) {
+      if (now >= manner.enough() || isFree && grows) {
         course = Course.RISING;
       } else if (isFree && course == Course.NEW) {
         say("turn around");
