@@ -18,8 +18,8 @@ import org.maestro.ontology.floor.Segment;
  */
 public final class WheeledBase implements MobileBase, Steering {
 
-  /** What is left of a turn that counts as turned; radians. */
-  private static final double TURNED = 1e-6;
+  /** So little left of a turn counts as turned; radians. */
+  private static final double TURNED = 1e-3;
 
   private final WheelGeometry geometry;
   private final WheelMotors motors;
@@ -162,11 +162,10 @@ public final class WheeledBase implements MobileBase, Steering {
       completion.done();
       return;
     }
-    motors.spin(
-        geometry.wheelSpeeds(new Twist(0, 0, Math.signum(now.left()) * limits.turnSpeed())));
-    pace.after(
-        Math.min(limits.controlSeconds(), Math.abs(now.left()) / limits.turnSpeed()),
-        () -> turnOn(now, completion));
+    // Slower at its end, so that a command that comes late turns it too far by little.
+    double speed = Math.min(limits.turnSpeed(), Math.abs(now.left()) / limits.controlSeconds());
+    motors.spin(geometry.wheelSpeeds(new Twist(0, 0, Math.signum(now.left()) * speed)));
+    pace.after(limits.controlSeconds(), () -> turnOn(now, completion));
   }
 
   @Override
