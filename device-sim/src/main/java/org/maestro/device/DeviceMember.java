@@ -9,6 +9,7 @@ import org.maestro.device.tasks.Deposits;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.device.tasks.FactTemplates;
 import org.maestro.device.tasks.FeatureContext;
+import org.maestro.device.tasks.Motion;
 import org.maestro.device.tasks.Procedures;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.MobileBase;
@@ -36,8 +37,10 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
     Set<String> states = new TreeSet<>(Set.of(STANDBY, SAFE));
     Map<String, MemberProfile.Feature> features = new LinkedHashMap<>();
     Deposits deposits = new Deposits();
+    Motion motion = new Motion();
     for (FeatureType type : device.features()) {
-      FeatureContext context = FeatureContext.of(device.id(), type, drivers, clock, deposits);
+      FeatureContext context =
+          FeatureContext.of(device.id(), type, drivers, clock, deposits, motion);
       String runningState = procedures.runningState(context);
       states.add(runningState);
       features.put(
@@ -54,16 +57,17 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
     MemberProfile profile =
         new MemberProfile(device.id(), description, states, STANDBY, Set.of(SAFE), features);
     return new DeviceMember(
-        profile.takingOver(canTakeOver(device, drivers)),
+        profile.takingOver(canTakeOver(device, drivers, procedures)),
         new SelfReport(new FactTemplates(device.id(), device.reports()), drivers));
   }
 
-  /** Who can go where another is at something can do it instead. */
-  private static Set<String> canTakeOver(Device device, Drivers drivers) {
+  /** Who can go where another is at something can do it instead, unless it means that one alone. */
+  private static Set<String> canTakeOver(Device device, Drivers drivers, Procedures procedures) {
     return drivers.find(MobileBase.class).isEmpty()
         ? Set.of()
         : device.features().stream()
             .filter(type -> !type.continuous() && !type.occupies().isEmpty())
+            .filter(type -> !procedures.isOfItself(type.procedure()))
             .map(FeatureType::name)
             .collect(Collectors.toCollection(TreeSet::new));
   }

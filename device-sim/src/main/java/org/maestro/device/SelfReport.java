@@ -18,6 +18,7 @@ import org.maestro.hal.MobileBase;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.Settings;
 import org.maestro.hal.ShutterDrive;
+import org.maestro.hal.Steering;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
 import org.maestro.hal.WallClock;
@@ -87,6 +88,10 @@ final class SelfReport implements MemberProfile.Values {
         .flatMap(GripperArm::held)
         .ifPresent(held -> words.put("holding", new Term.Name(held)));
     drivers.find(MobileBase.class).ifPresent(base -> addPlace(words, base.position()));
+    drivers
+        .find(Steering.class)
+        .map(steering -> new Term.Number(Numbers.degreesAround(steering.heading())))
+        .ifPresent(heading -> words.put("heading", heading));
     return words;
   }
 

@@ -90,7 +90,7 @@ abstract class ArmTask extends DeviceProcedure {
   final void exitSafely(Execution execution) {
     execution.onCancel(
         safe -> {
-          robot.base().stop();
+          robot.stop();
           Optional<Point2> spot = arm.held().flatMap(held -> reach.here());
           if (spot.isPresent()) {
             arm.extend(Position.onFloor(spot.get()), then(() -> letGo(safe), safe));

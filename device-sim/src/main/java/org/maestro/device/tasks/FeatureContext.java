@@ -15,6 +15,7 @@ import org.maestro.sl.Term;
  * The means of a procedure: its feature's description, the device's drivers and the clock.
  *
  * @param deposits the device's memory, shared by its features
+ * @param motion of the device's base, shared by them, too
  */
 public record FeatureContext(
     String device,
@@ -22,12 +23,24 @@ public record FeatureContext(
     Drivers drivers,
     Clock clock,
     FactTemplates quantities,
-    Deposits deposits) {
+    Deposits deposits,
+    Motion motion) {
 
   public static FeatureContext of(
-      String device, FeatureType feature, Drivers drivers, Clock clock, Deposits deposits) {
+      String device,
+      FeatureType feature,
+      Drivers drivers,
+      Clock clock,
+      Deposits deposits,
+      Motion motion) {
     return new FeatureContext(
-        device, feature, drivers, clock, new FactTemplates(device, feature.refersTo()), deposits);
+        device,
+        feature,
+        drivers,
+        clock,
+        new FactTemplates(device, feature.refersTo()),
+        deposits,
+        motion);
   }
 
   /**

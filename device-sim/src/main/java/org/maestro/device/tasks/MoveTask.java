@@ -36,7 +36,7 @@ final class MoveTask extends DeviceProcedure {
     Optional<Point2> onward = parameters.optionalPosition("onward").map(Position::floor);
     execution.onCancel(
         safe -> {
-          robot.base().stop();
+          robot.stop();
           safe.run();
         });
     robot.drive(

@@ -1,6 +1,7 @@
 package org.maestro.device.tasks;
 
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 import org.maestro.rats.member.Procedure;
@@ -10,6 +11,13 @@ import org.maestro.rats.member.Procedure;
  * belongs to one device, since routines of a device may share what is under way.
  */
 public final class Procedures {
+
+  private static final String TURN = "turn";
+  private static final String DRIVE = "drive";
+  private static final String TRANSMIT = "transmit";
+
+  /** What another would do from where it is itself, which is something else. */
+  private static final Set<String> OF_ITSELF = Set.of(TURN, DRIVE, TRANSMIT);
 
   private final Map<String, Kind> kinds = new TreeMap<>();
 
@@ -41,6 +49,11 @@ public final class Procedures {
     kinds.put("putInto", new Kind("arm-in-movement", context -> new PlaceTask(context, true)));
     kinds.put("sweep", new Kind("sweeping", SweepTask::new));
     kinds.put("recharge", new Kind("charging", RechargeTask::new));
+    kinds.put(TURN, new Kind("turning", TurnTask::new));
+    kinds.put(DRIVE, new Kind("driving", DriveTask::new));
+    kinds.put("halt", new Kind("halting", HaltTask::new));
+    kinds.put("readSignal", new Kind("measuring", ReadSignal::new));
+    kinds.put(TRANSMIT, new Kind("transmitting", TransmitTask::new));
   }
 
   /**
@@ -52,6 +65,11 @@ public final class Procedures {
 
   public String runningState(FeatureContext context) {
     return kind(context).runningState();
+  }
+
+  /** Whether a routine means the device that is told, so that no other does it in its place. */
+  public boolean isOfItself(String procedure) {
+    return OF_ITSELF.contains(procedure);
   }
 
   private Kind kind(FeatureContext context) {

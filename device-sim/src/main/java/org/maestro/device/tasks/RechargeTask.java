@@ -26,7 +26,7 @@ final class RechargeTask extends DeviceProcedure {
     Point2 place = place(station);
     execution.onCancel(
         safe -> {
-          robot.base().stop();
+          robot.stop();
           battery.stopFilling();
           safe.run();
         });

@@ -37,17 +37,20 @@ final class Robot {
 
   private final MobileBase base;
   private final Surroundings surroundings;
+  private final Motion motion;
   private WalledFloor walls;
 
   Robot(FeatureContext context) {
     this.base = context.driver(MobileBase.class);
     this.surroundings = context.driver(Surroundings.class);
+    this.motion = context.motion();
     this.walls = new WalledFloor(List.of(), base.radius());
   }
 
-  private Robot(MobileBase base, Surroundings surroundings, WalledFloor walls) {
+  private Robot(MobileBase base, Surroundings surroundings, Motion motion, WalledFloor walls) {
     this.base = base;
     this.surroundings = surroundings;
+    this.motion = motion;
     this.walls = walls;
   }
 
@@ -71,7 +74,7 @@ final class Robot {
 
   /** The same robot, if nothing stood on the floor but this. */
   Robot amid(List<Obstacle> obstacles) {
-    return new Robot(base, new Amid(surroundings, obstacles), walls);
+    return new Robot(base, new Amid(surroundings, obstacles), motion, walls);
   }
 
   double seconds(Route route) {
@@ -207,7 +210,47 @@ final class Robot {
    * @param noWay what is said when there is none
    */
   void drive(Supplier<Optional<Route>> plan, Supplier<String> noWay, Completion completion) {
-    drive(plan, noWay, completion, ATTEMPTS);
+    motion.begin(() -> completion.failed("it was told to stand still"));
+    drive(plan, noWay, ending(completion), ATTEMPTS);
+  }
+
+  /**
+   * Drives straight to a point, or as far as the way is free.
+   *
+   * @param halted told instead of the completion when it is told to stand still
+   */
+  void driveStraight(Point2 end, Runnable halted, Completion completion) {
+    motion.begin(halted);
+    base.drive(List.of(end), ending(completion));
+  }
+
+  /** Stands still; nobody is told. */
+  void stop() {
+    motion.over();
+    base.stop();
+  }
+
+  /** Whether it could go straight to a point from where it is. */
+  boolean isFreeTo(Point2 point) {
+    walls = walls.with(surroundings.walls());
+    return new RoutePlanner(walls, surroundings.obstacles()).isFreeWay(base.position(), point);
+  }
+
+  /** The same, when the motion is noted to be over. */
+  private Completion ending(Completion completion) {
+    return new Completion() {
+      @Override
+      public void done() {
+        motion.over();
+        completion.done();
+      }
+
+      @Override
+      public void failed(String reason) {
+        motion.over();
+        completion.failed(reason);
+      }
+    };
   }
 
   private void drive(

@@ -28,7 +28,7 @@ final class SweepTask extends DeviceProcedure {
     Pointer zone = parameters.pointer("zone");
     execution.onCancel(
         safe -> {
-          robot.base().stop();
+          robot.stop();
           safe.run();
         });
     List<ActionSequence.Action> lanes = new ArrayList<>();

@@ -5,17 +5,21 @@ import java.util.Optional;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Localization;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.Steering;
 import org.maestro.hal.Twist;
 import org.maestro.hal.WheelMotors;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Segment;
 
 /**
- * A base that follows a way by its wheels: some times a second it looks where it is, aims at the
- * next corner, and gives its wheels the speeds for that; so it makes good for slip. One that cannot
- * drive to the side turns at each corner first. Clock thread only.
+ * A base that follows a way by its wheels, or turns on the spot: some times a second it looks where
+ * it is, aims at the next corner, and gives its wheels the speeds for that; so it makes good for
+ * slip. One that cannot drive to the side turns at each corner first. Clock thread only.
  */
-public final class WheeledBase implements MobileBase {
+public final class WheeledBase implements MobileBase, Steering {
+
+  /** So little left of a turn counts as turned; radians. */
+  private static final double TURNED = 1e-3;
 
   private final WheelGeometry geometry;
   private final WheelMotors motors;
@@ -119,6 +123,59 @@ public final class WheeledBase implements MobileBase {
                 ? new Twist(limits.speed() * Math.cos(off), limits.speed() * Math.sin(off), 0)
                 : new Twist(limits.speed(), 0, off / limits.controlSeconds())));
     return seconds;
+  }
+
+  @Override
+  public void turn(double radians, Completion completion) {
+    stop();
+    long number = driveNumber;
+    pace.after(0, () -> turnOn(new Turning(radians, localization.heading(), number), completion));
+  }
+
+  /**
+   * A turn under way.
+   *
+   * @param left of it, as far as was known at the last look; radians
+   * @param seen the heading at that look
+   */
+  private record Turning(double left, double seen, long number) {
+
+    /** The same at the next look, within which it has turned by less than half of a circle. */
+    Turning at(double heading) {
+      return new Turning(left - Math.IEEEremainder(heading - seen, 2 * Math.PI), heading, number);
+    }
+  }
+
+  private void turnOn(Turning before, Completion completion) {
+    if (before.number() != driveNumber) {
+      return;
+    }
+    Optional<String> fault = motors.fault();
+    if (fault.isPresent()) {
+      stop();
+      completion.failed(fault.get());
+      return;
+    }
+    Turning now = before.at(localization.heading());
+    if (Math.abs(now.left()) <= TURNED) {
+      stop();
+      completion.done();
+      return;
+    }
+    // Slower at its end, so that a command that comes late turns it too far by little.
+    double speed = Math.min(limits.turnSpeed(), Math.abs(now.left()) / limits.controlSeconds());
+    motors.spin(geometry.wheelSpeeds(new Twist(0, 0, Math.signum(now.left()) * speed)));
+    pace.after(limits.controlSeconds(), () -> turnOn(now, completion));
+  }
+
+  @Override
+  public double heading() {
+    return localization.heading();
+  }
+
+  @Override
+  public double turnSpeed() {
+    return limits.turnSpeed();
   }
 
   @Override

@@ -23,9 +23,12 @@ import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.Settings;
 import org.maestro.hal.ShutterDrive;
+import org.maestro.hal.SignalField;
+import org.maestro.hal.Steering;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
 import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.Transmitter;
 import org.maestro.hal.WallClock;
 import org.maestro.hal.wheels.DifferentialWheels;
 import org.maestro.hal.wheels.MecanumWheels;
@@ -132,6 +135,11 @@ public final class DriverFactory {
           robot(device, actuator, this::gliding, DriverFactory::fingers);
       case "mecanum-robot" -> robot(device, actuator, this::onMecanumWheels);
       case "differential-robot" -> robot(device, actuator, this::onTwoWheels);
+      case "exploring-robot" ->
+          robot(device, actuator, this::onTwoWheels)
+              .with(Transmitter.class, new SimulatedTransmitter(actuator, parameters.signal()));
+      case "signal-field" ->
+          Drivers.none().with(SignalField.class, new SimulatedField(actuator, parameters.signal()));
       case "mobile-robot-with-camera" ->
           robot(device, actuator, this::gliding)
               .with(
@@ -151,7 +159,8 @@ public final class DriverFactory {
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
                   + " light-sensor, tsl2561, presence-sensor, door, appliance, clock, shutter, mobile-robot,"
                   + " mobile-robot-with-camera,"
-                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
+                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot, exploring-robot,"
+                  + " signal-field.");
     };
   }
 
@@ -362,11 +371,14 @@ public final class DriverFactory {
         .batteries()
         .put(device.id(), parameters.battery(), base.power(), truth.charge().orElse(FULL_CHARGE));
     Likeness likeness = new Likeness(parameters.camera(), parameters.colour());
-    return fitting
-        .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
-        .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
-        .with(MobileBase.class, chassis.on(actuator, base))
-        .with(Surroundings.class, new OnBoardMap(device.id(), world));
+    Drivers fitted =
+        fitting
+            .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
+            .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
+            .with(Surroundings.class, new OnBoardMap(device.id(), world));
+    MobileBase moving = chassis.on(actuator, base);
+    return (moving instanceof Steering front ? fitted.with(Steering.class, front) : fitted)
+        .with(MobileBase.class, moving);
   }
 
   private Area area(Device device) {

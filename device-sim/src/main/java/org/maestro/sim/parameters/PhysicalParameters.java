@@ -24,7 +24,8 @@ public record PhysicalParameters(
     ArmData arm,
     GripperData gripper,
     BatteryData battery,
-    DriveData drives) {
+    DriveData drives,
+    SignalData signal) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -42,31 +43,32 @@ public record PhysicalParameters(
         ArmData.YOUBOT,
         GripperData.USUAL,
         BatteryData.YOUBOT,
-        DriveData.USUAL);
+        DriveData.USUAL,
+        SignalData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
     return new PhysicalParameters(
         shutters, other, colour, image, turn, sensor, facade, presence, lamp, base, wheels, arm,
-        gripper, battery, drives);
+        gripper, battery, drives, signal);
   }
 
   public PhysicalParameters with(SensorData other) {
     return new PhysicalParameters(
         shutters, camera, colour, image, turn, other, facade, presence, lamp, base, wheels, arm,
-        gripper, battery, drives);
+        gripper, battery, drives, signal);
   }
 
   public PhysicalParameters with(BaseData other) {
     return new PhysicalParameters(
         shutters, camera, colour, image, turn, sensor, facade, presence, lamp, other, wheels, arm,
-        gripper, battery, drives);
+        gripper, battery, drives, signal);
   }
 
   public PhysicalParameters with(ArmData other) {
     return new PhysicalParameters(
         shutters, camera, colour, image, turn, sensor, facade, presence, lamp, base, wheels, other,
-        gripper, battery, drives);
+        gripper, battery, drives, signal);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

@@ -12,7 +12,7 @@ import java.util.Optional;
  */
 public record WorldEvent(Duration at, Kind kind, String subject, Optional<String> thing) {
 
-  /** The first six are commands that a device's driver received, before they take effect. */
+  /** The first seven are commands that a device's driver received, before they take effect. */
   public enum Kind {
     ADJUST,
     LOOK,
@@ -20,6 +20,7 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     DRIVE,
     GRASP,
     RELEASE,
+    TRANSMIT,
     LIT,
     DRIVEN,
     MEASURED,
@@ -38,7 +39,9 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     /** A battery is empty. */
     EMPTIED,
     /** A robot that drives touches another body that moves. */
-    COLLIDED
+    COLLIDED,
+    /** A robot has sent what it had to send. */
+    TRANSMITTED
   }
 
   /** Told on the thread that caused the event, mostly the clock's; may change the world. */

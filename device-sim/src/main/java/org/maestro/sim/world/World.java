@@ -35,6 +35,7 @@ public final class World {
   private final Looks looks;
   private final Containers containers;
   private final Stations stations;
+  private final SignalMap signal;
   private final boolean shutters;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private volatile boolean ended;
@@ -51,6 +52,7 @@ public final class World {
     this.looks = new Looks(home, scene);
     this.containers = new Containers(home);
     this.stations = new Stations(home, scene);
+    this.signal = SignalMap.drawn(building.map().areas(), seed, parameters.signal());
     this.shutters = parameters.shutters();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
   }
@@ -387,6 +389,11 @@ public final class World {
   /** Whether the robot stands where its battery can be charged. */
   public boolean isAtStation(String robot) {
     return stations.isAt(position(robot).orElseThrow().floor());
+  }
+
+  /** The signal over the floor, of homes in which somebody asks for it. */
+  public SignalMap signal() {
+    return signal;
   }
 
   public Containers containers() {

@@ -27,12 +27,19 @@ final class Values {
 
   private static Optional<Term> value(Form said) {
     return switch (said.head()) {
-      case "number", "percent", "points", "quantity" ->
+      case "number", "percent", "points" ->
           Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
+      case "quantity" -> Optional.of(new Term.Number(quantity(said)));
       case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
       case "text" -> Optional.of(new Term.Text(text(said)));
       default -> Optional.empty();
     };
+  }
+
+  /** A number of units, and a part of one that was said after it. */
+  private static double quantity(Form said) {
+    double more = said.parts().size() > 2 ? Double.parseDouble(said.text(2)) : 0;
+    return Double.parseDouble(said.text(0)) + more;
   }
 
   private static boolean isReference(String head) {

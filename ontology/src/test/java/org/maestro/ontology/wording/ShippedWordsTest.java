@@ -39,7 +39,7 @@ class ShippedWordsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"evening", "bob", "household", "livingroom"})
+  @ValueSource(strings = {"evening", "bob", "household", "livingroom", "exploration"})
   void constructionsSpeakOfWhatTheHomeHas(String name) {
     Home home = home(name);
 
@@ -60,7 +60,7 @@ class ShippedWordsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"evening", "bob", "household", "livingroom"})
+  @ValueSource(strings = {"evening", "bob", "household", "livingroom", "exploration"})
   void statesSpeakOfWhatTheHomeHas(String name) {
     Home home = home(name);
 

@@ -19,7 +19,8 @@ public final class Experiments {
           new Illumination(),
           new OverExposure(),
           new JoinLeave(),
-          new BrokenCup());
+          new BrokenCup(),
+          new Exploration());
 
   private Experiments() {}
 

@@ -103,13 +103,32 @@ public final class Saying {
 
   /** Lets time pass until all that it states is so. */
   public Saying isReached() {
+    awaitEnd();
+    return require(end() instanceof SaidReply.Over over && over.reached(), "be reached");
+  }
+
+  /** Lets time pass until what it states has ended otherwise, for a reason with these words. */
+  public Saying isNotReached(String reason) {
+    awaitEnd();
+    return require(
+        end() instanceof SaidReply.Over over
+            && !over.reached()
+            && over.ends().stream()
+                .flatMap(end -> end.reasons().stream())
+                .anyMatch(why -> why.contains(reason)),
+        "end for a reason with " + reason);
+  }
+
+  private SaidReply end() {
+    return answer(replies.get(1));
+  }
+
+  private void awaitEnd() {
     require(first() instanceof SaidReply.TakenOn, "state a goal");
     if (!site.runUntil(() -> replies.size() > 1, patience)) {
       throw new StageException(
           "What \"%s\" states did not end within %s.".formatted(text, patience));
     }
-    return require(
-        answer(replies.get(1)) instanceof SaidReply.Over over && over.reached(), "be reached");
   }
 
   private Saying require(boolean holds, String expectation) {

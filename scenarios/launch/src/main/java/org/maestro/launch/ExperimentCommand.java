@@ -60,6 +60,14 @@ final class ExperimentCommand implements Callable<Integer> {
   private Map<String, String> given = new LinkedHashMap<>();
 
   @Option(
+      names = "--affect",
+      paramLabel = "on|off|both",
+      description =
+          "Whether the robot's voice is stressed when its battery is low, neutral, or each in turn"
+              + " (exploration).")
+  private Optional<String> affect;
+
+  @Option(
       names = "--paced",
       description = "Also repeat 20 runs on the paced clock, over the real broker (move-object).")
   private boolean paced;
@@ -81,6 +89,7 @@ final class ExperimentCommand implements Callable<Integer> {
                 () ->
                     CommandException.badInput(
                         "There is no experiment %s; there are %s.".formatted(name.get(), names())));
+    affect.ifPresent(value -> given.put("affect", value));
     Experiments.Chosen chosen = Experiments.settings(experiment, given);
     chosen.notes().forEach(spec.commandLine().getErr()::println);
     Request request =

@@ -19,7 +19,8 @@ import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {
-  static final List<String> HOMES = List.of("bob", "arena", "housekeeper", "evening");
+  static final List<String> HOMES =
+      List.of("bob", "arena", "housekeeper", "evening", "exploration");
   static final List<String> SCENES =
       List.of(
           "bob-dark",
@@ -30,7 +31,8 @@ final class Shipped {
           "arena-dark",
           "housekeeper",
           "evening",
-          "glasses");
+          "glasses",
+          "exploration");
 
   private Shipped() {}
 

@@ -66,6 +66,11 @@ public final class TrialSite implements AutoCloseable {
     site.platform().onStory(listener);
   }
 
+  /** A person of the home, who listens from now on. */
+  public Conversation conversation(String person) {
+    return Conversation.begin(site, person);
+  }
+
   /** States a goal, and leaves it under way. */
   public Underway begin(String goal) {
     return new Underway(goal);

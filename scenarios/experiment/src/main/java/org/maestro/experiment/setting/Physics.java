@@ -21,7 +21,8 @@ public final class Physics {
   /**
    * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
    * doors, lamps behind switches, presence sensors, charging stations. And the shades of white, of
-   * which light and detection do not depend and for which no goal of an experiment asks.
+   * which light and detection do not depend and for which no goal of an experiment asks. What
+   * exploration alone has it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
@@ -37,7 +38,8 @@ public final class Physics {
           "world.drives.doorSeconds",
           "world.drives.relaySeconds",
           "world.battery.chargingWatts",
-          "world.lamp.white");
+          "world.lamp.white",
+          "world.signal.");
 
   private Physics() {}
 

@@ -1,5 +1,6 @@
 package org.maestro.experiment.setting;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.maestro.sim.parameters.PhysicalParameters;
@@ -23,6 +24,13 @@ public record Setting(String name, String usual, Range range, String meaning) {
     /** True or false. */
     record Truth() implements Range {}
 
+    /** One of some words. */
+    record Choice(List<String> words) implements Range {
+      public Choice {
+        words = List.copyOf(words);
+      }
+    }
+
     /** The range that the simulated world has for the setting. */
     record Physical() implements Range {}
   }
@@ -36,6 +44,10 @@ public record Setting(String name, String usual, Range range, String meaning) {
     return new Setting(name, String.valueOf(usual), new Range.Truth(), meaning);
   }
 
+  public static Setting choice(String name, String usual, List<String> words, String meaning) {
+    return new Setting(name, usual, new Range.Choice(words), meaning);
+  }
+
   /**
    * @throws SettingException when it may not have this value
    * @throws org.maestro.sim.scene.SimulationException when the world cannot be so
@@ -45,6 +57,12 @@ public record Setting(String name, String usual, Range range, String meaning) {
       PhysicalSettings.apply(PhysicalParameters.standard(), Map.of(name, value));
     } else if (range instanceof Range.Number limits) {
       checkNumber(value, limits);
+    } else if (range instanceof Range.Choice choice) {
+      if (!choice.words().contains(value)) {
+        throw new SettingException(
+            "%s is one of %s, not \"%s\"."
+                .formatted(name, String.join(", ", choice.words()), value));
+      }
     } else if (!value.equals("true") && !value.equals("false")) {
       throw new SettingException("%s is true or false, not \"%s\".".formatted(name, value));
     }

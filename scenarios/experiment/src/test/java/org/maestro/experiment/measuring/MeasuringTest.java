@@ -35,6 +35,21 @@ class MeasuringTest {
   }
 
   @Test
+  void aMeanHasStudentsInterval() {
+    Interval three = Interval.ofMean(Spread.of(2, 4, 6));
+    assertThat(three.greatest() - 4).isCloseTo(4.303 * 2 / Math.sqrt(3), within(0.001));
+    assertThat(4 - three.least()).isCloseTo(three.greatest() - 4, within(1e-9));
+
+    double[] ten = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    Spread spread = Spread.of(ten);
+    double half = Interval.ofMean(spread).greatest() - spread.mean();
+    assertThat(half / (spread.deviation() / Math.sqrt(10))).isCloseTo(2.262, within(0.01));
+    assertThat(Interval.ofMean(Spread.of(3)).least()).isNaN();
+    assertThat(three.overlaps(Interval.ofMean(spread))).isTrue();
+    assertThat(new Interval(1, 2).overlaps(new Interval(3, 4))).isFalse();
+  }
+
+  @Test
   void aTableQuotesWhatNeedsIt() throws IOException {
     Table table = new Table("a", "b");
     table.add(1, "so, \"he\" said");
