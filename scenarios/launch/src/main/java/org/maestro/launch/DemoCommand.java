@@ -52,7 +52,7 @@ final class DemoCommand implements Callable<Integer> {
       completionCandidates = Shipped.Scenes.class,
       defaultValue = "bob-dark",
       description =
-          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark or housekeeper.")
+          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark, housekeeper or evening.")
   private String scene;
 
   @Option(
@@ -73,6 +73,9 @@ final class DemoCommand implements Callable<Integer> {
       names = "--console",
       description = "Show it in a page, too, and stay with it until Ctrl-C.")
   private boolean console;
+
+  @Option(names = "--wine", description = "Of evening: Dave has wine, after which dinner goes on.")
+  private boolean wine;
 
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
@@ -97,8 +100,14 @@ final class DemoCommand implements Callable<Integer> {
     if (console && json) {
       throw CommandException.badInput("--console stays, --json prints and ends; leave one away.");
     }
+    if (wine && !scene.equals(FamilyEvening.NAME)) {
+      throw CommandException.badInput("--wine is for the demo evening; leave it away.");
+    }
     if (scene.equals(HousekeeperEvening.SCENE)) {
       return evening();
+    }
+    if (scene.equals(FamilyEvening.NAME)) {
+      return familyEvening();
     }
     String homeName = scene.substring(0, scene.indexOf('-'));
     Home home = Shipped.home(homeName);
@@ -183,6 +192,21 @@ final class DemoCommand implements Callable<Integer> {
       }
       return evening.wentWell() ? ExitCode.DONE : ExitCode.NOT_REACHED;
     }
+  }
+
+  /** From event to event, as it takes the most part of an hour. */
+  private Integer familyEvening() {
+    if (console) {
+      throw CommandException.badInput(
+          "The demo evening goes from event to event and ends; leave --console away, or see it with"
+              + " ./maestro run evening --scene homecoming --console.");
+    }
+    FamilyEvening evening =
+        new FamilyEvening(
+            wine, seed, json ? Optional.empty() : Optional.of(spec.commandLine().getOut()));
+    evening.run(RuntimeDirectory.ofUser().beginStories(NAME));
+    evening.tell(spec.commandLine().getOut());
+    return evening.wentWell() ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
 
   private static void stay(LocalSite site, Console served, PrintWriter out)

@@ -30,6 +30,7 @@ final class Shipped {
           "arena-dark",
           "housekeeper",
           "evening",
+          "homecoming",
           "glasses");
 
   private Shipped() {}

@@ -188,7 +188,7 @@ public final class Chat implements Source {
 
   private void answer(Speech question, Utterance utterance) {
     answering
-        .answer(question.part(), utterance.text(), utterance.asker())
+        .answer(question.part(), dialogues.answer(utterance, question), utterance.asker())
         .thenAccept(done -> answered(question, utterance))
         .exceptionally(
             failure -> {
