@@ -59,7 +59,7 @@ class RuleTest {
     assertFault("; maestro:pursues \"(whenever (in Bobb ?z) (light ?z))\" .", "names Bobb");
     assertFault(
         "; maestro:pursues \"(whenever (in Bob ?z) (light))\" .",
-        "gives light no arguments; write (run light ?room - Zone)");
+        "gives light 0 arguments; write (run light ?room - Zone)");
     assertFault(
         "; maestro:pursues \"(whenever (in Bob ?z) (light ?y))\" .",
         "begins a goal with ?y, of which no condition of it speaks; write a name in its place");

@@ -84,7 +84,7 @@ class EveningTest {
     assertThat(evening.said(HELLO).get(0).to()).isEqualTo("hallway");
     assertThat(stage.knowledge()).knows("(in Dave hallway)").knows("(wasOpened front-door)");
     stage.await(
-        "the room is asked for", () -> evening.isTold("asks for: (prepareRoom livingroom Dave)"));
+        "the room is asked for", () -> evening.isTold("asks for: the script (prepareRoom livingroom Dave)"));
 
     stage.await("the living room is light", () -> stage.world().lux("livingroom") >= 150);
     stage.await("the news are on", () -> evening.setting("tv", "selection").equals("EveningNews"));
@@ -92,7 +92,7 @@ class EveningTest {
     assertThat(stage.world().zone("Dave")).as("he is not there yet").contains("hallway");
 
     dave.awaits(WISH);
-    assertThat(evening.isTold("asks for: (seeToDinner Dave)")).isTrue();
+    assertThat(evening.isTold("asks for: the script (seeToDinner Dave)")).isTrue();
     dave.says("The pasta, please.").isAnAnswer();
     dave.awaits("I am beginning to heat the pasta.");
     stage.await("he sits", () -> stage.world().zone("Dave").equals(Optional.of("livingroom")));
