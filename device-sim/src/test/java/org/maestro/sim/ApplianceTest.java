@@ -128,14 +128,16 @@ class ApplianceTest {
     }
   }
 
-  private static Object isThere(Homes homes, String food) {
-    return homes
-        .call(
-            "refrigerator",
-            "takeStock",
-            Map.of("object", Map.of("ref", "https://w3id.org/maestro/home/evening#" + food)))
-        .values()
-        .get("found");
+  private static boolean isThere(Homes homes, String food) {
+    Object found =
+        homes
+            .call(
+                "refrigerator",
+                "takeStock",
+                Map.of("object", Map.of("ref", "https://w3id.org/maestro/home/evening#" + food)))
+            .values()
+            .get("found");
+    return Boolean.TRUE.equals(found);
   }
 
   @Test

@@ -153,8 +153,8 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, door, appliance, stocked-appliance, clock, shutter, mobile-robot,"
-                  + " mobile-robot-with-camera,"
+                  + " light-sensor, tsl2561, presence-sensor, door, appliance, stocked-appliance,"
+                  + " clock, shutter, mobile-robot, mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
   }

@@ -75,7 +75,8 @@ class RuleTest {
                 new HomeLoader()
                     .load(
                         BOB
-                            + "home:G7 a maestro:Rule ; maestro:pursues \"(after 5 (open door-ab))\" .",
+                            + "home:G7 a maestro:Rule ; maestro:pursues \"(after 5 (open"
+                            + " door-ab))\" .",
                         "bob.ttl"))
         .hasMessageContaining("has a name as goals have; give the rule another name");
   }

@@ -52,7 +52,8 @@ final class DemoCommand implements Callable<Integer> {
       completionCandidates = Shipped.Scenes.class,
       defaultValue = "bob-dark",
       description =
-          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark, housekeeper or evening.")
+          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark, housekeeper or"
+              + " evening.")
   private String scene;
 
   @Option(

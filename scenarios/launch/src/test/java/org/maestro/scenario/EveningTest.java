@@ -72,6 +72,46 @@ class EveningTest {
     }
   }
 
+  @Test
+  void anotherHistoryGivesAnotherShowAndWhatIsNotThereIsNotHeated() {
+    PastDays past =
+        PastDays.read(
+            """
+            1..7\t1\t(wentTo Dave livingroom)
+            1..7\t2\t(watched Dave Opera)
+            1..7\t3\t(dined Dave)
+            """);
+    try (EveningStage evening = EveningStage.of(data, past, "homecoming")) {
+      Stage stage = evening.stage();
+      Speaker dave = stage.speaker("Dave").in("hallway");
+      dave.awaits(WISH);
+      stage.await("the opera is on", () -> evening.setting("tv", "selection").equals("Opera"));
+
+      dave.says("The lasagne.").isAnAnswer();
+      dave.awaits("I am sorry, the lasagne is not there. Would you like the pasta?");
+      dave.says("Yes, please.").isAnAnswer();
+      dave.awaits("I am beginning to heat the pasta.");
+    }
+  }
+
+  @Test
+  void oneCueAloneGreetsNobody() {
+    try (EveningStage evening =
+        EveningStage.of(
+            data, PastDays.read(""), "evening", "<#front-door> scene:fault \"at 100 open\" .")) {
+      Stage stage = evening.stage();
+      stage.run(Duration.ofSeconds(5));
+      evening.put("Dave", "hallway");
+      stage.run(Duration.ofSeconds(20));
+      assertThat(stage.knowledge()).as("he is seen").knows("(inHouse Dave)");
+      evening.put("Dave", "livingroom");
+      stage.run(Duration.ofSeconds(110));
+
+      assertThat(stage.knowledge()).as("the door was opened").knows("(wasOpened front-door)");
+      assertThat(evening.said()).isEmpty();
+    }
+  }
+
   private EveningStage comingHome() {
     return EveningStage.of(data, PastDays.shipped("evening"), "homecoming");
   }
@@ -84,7 +124,8 @@ class EveningTest {
     assertThat(evening.said(HELLO).get(0).to()).isEqualTo("hallway");
     assertThat(stage.knowledge()).knows("(in Dave hallway)").knows("(wasOpened front-door)");
     stage.await(
-        "the room is asked for", () -> evening.isTold("asks for: the script (prepareRoom livingroom Dave)"));
+        "the room is asked for",
+        () -> evening.isTold("asks for: the script (prepareRoom livingroom Dave)"));
 
     stage.await("the living room is light", () -> stage.world().lux("livingroom") >= 150);
     stage.await("the news are on", () -> evening.setting("tv", "selection").equals("EveningNews"));

@@ -41,7 +41,8 @@ class HomeRulesTest {
     Home home = new HomeLoader().load(EveningStage.text("/homes/bob.ttl") + RULE, "bob.ttl");
     String turtle =
         EveningStage.text("/scenes/bob-dark.ttl")
-            .replaceAll("<#lamp-a1> scene:level [0-9.]+ .", "<#lamp-a1> scene:level " + lampA1 + " .");
+            .replaceAll(
+                "<#lamp-a1> scene:level [0-9.]+ .", "<#lamp-a1> scene:level " + lampA1 + " .");
     Stage stage =
         Stage.stepped(
             SiteSettings.of("rules-" + UUID.randomUUID(), home)

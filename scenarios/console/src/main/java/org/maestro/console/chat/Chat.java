@@ -90,7 +90,8 @@ public final class Chat implements Source {
                 Operation.Method.POST,
                 "/chat/heard",
                 "hear",
-                "Tells words of a person as they are heard; what is certain is begun before the end.",
+                "Tells words of a person as they are heard; what is certain is begun before the"
+                    + " end.",
                 "chat-heard",
                 request -> hear(read(request), request.body().path("more").asBoolean(false)))
             .by(Role.OPERATOR)
