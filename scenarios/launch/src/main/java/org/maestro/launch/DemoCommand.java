@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -42,6 +43,25 @@ final class DemoCommand implements Callable<Integer> {
   private static final Map<String, String> GOALS =
       Map.of("bob", "(nextTo Cup Bob)", "arena", "(nextTo GreenObject RedObject1)");
 
+  private static final List<String> DEMOS =
+      List.of(
+          "bob-dark",
+          "bob-lit",
+          "bob-cup-in-a",
+          "bob-hidden",
+          "bob-weak-lamps",
+          "arena-dark",
+          HousekeeperEvening.SCENE,
+          FamilyEvening.NAME);
+
+  /** The names of the demos, for shells that complete them. */
+  static final class Demos implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return DEMOS.iterator();
+    }
+  }
+
   @Spec private CommandSpec spec;
 
   @Mixin private Allocation allocation;
@@ -49,7 +69,7 @@ final class DemoCommand implements Callable<Integer> {
   @Parameters(
       arity = "0..1",
       paramLabel = "NAME",
-      completionCandidates = Shipped.Scenes.class,
+      completionCandidates = Demos.class,
       defaultValue = "bob-dark",
       description =
           "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark, housekeeper or"
@@ -93,9 +113,9 @@ final class DemoCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     long started = System.nanoTime();
-    if (!Shipped.SCENES.contains(scene)) {
+    if (!DEMOS.contains(scene)) {
       throw CommandException.badInput(
-          "There is no demo %s; there are %s.".formatted(scene, String.join(", ", Shipped.SCENES)));
+          "There is no demo %s; there are %s.".formatted(scene, String.join(", ", DEMOS)));
     }
     Speed.require(speed);
     if (console && json) {
