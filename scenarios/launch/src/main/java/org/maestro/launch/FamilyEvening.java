@@ -11,6 +11,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -35,7 +36,8 @@ final class FamilyEvening {
   private static final String SCENE = "homecoming";
   private static final String PERSON = "Dave";
   private static final String MEAL = "pasta-1";
-  private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
+  private static final DateTimeFormatter CLOCK =
+      DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
   private static final LocalTime BEGINS = LocalTime.of(18, 5);
   private static final Duration STEP = Duration.ofSeconds(1);
   private static final Duration LONGEST = Duration.ofMinutes(90);
@@ -174,7 +176,7 @@ final class FamilyEvening {
   private void tell(Duration at, String who, String what) {
     out.ifPresent(
         where -> {
-          where.printf("%s  %-20s %s%n", CLOCK.format(BEGINS.plus(at)), who, what);
+          where.printf(Locale.ROOT, "%s  %-20s %s%n", CLOCK.format(BEGINS.plus(at)), who, what);
           where.flush();
         });
   }
@@ -185,7 +187,7 @@ final class FamilyEvening {
 
   private void judge(LocalSite site, ChangesOfDevices devices) {
     claim("He is greeted in the hallway, once.", areSaid(HELLO, "hallway"));
-    claim("The living room is light before he is there.", isBefore(lit, sits));
+    claim("The living room is light before he is there.", isLightBefore());
     claim("The television shows the news that he usually watches.", shown.isPresent());
     claim("He is asked what he wants for dinner, once.", said(WISH).size() == 1);
     claim("He gets his " + (wine ? "wine." : "scotch."), isServed);
@@ -219,8 +221,8 @@ final class FamilyEvening {
     return all.size() == 1 && all.get(0).speech().to().equals(to);
   }
 
-  private static boolean isBefore(Optional<Duration> one, Optional<Duration> other) {
-    return one.isPresent() && other.filter(later -> one.get().compareTo(later) < 0).isPresent();
+  private boolean isLightBefore() {
+    return lit.isPresent() && sits.filter(later -> lit.get().compareTo(later) < 0).isPresent();
   }
 
   private boolean isLater() {
