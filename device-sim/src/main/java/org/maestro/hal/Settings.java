@@ -3,6 +3,7 @@ package org.maestro.hal;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import org.maestro.sl.Term;
 
 /**
@@ -19,8 +20,10 @@ public interface Settings {
 
   /**
    * @param values those that are to become otherwise; allowed ones
+   * @param isCalledOff whether nobody wants it any more: what takes time is given up then, and
+   *     stays as it was
    */
-  void set(Map<String, Term> values, Completion completion);
+  void set(Map<String, Term> values, Completion completion, BooleanSupplier isCalledOff);
 
   /** How it is set now; without what was never set, or counts only while it is on. */
   Map<String, Term> values();

@@ -17,6 +17,7 @@ import org.maestro.sim.link.BadLink;
 import org.maestro.sim.scene.Deed;
 import org.maestro.sim.scene.ScriptedFault;
 import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.world.Walks;
 import org.maestro.sim.world.World;
 
 /** Lets faults happen: in their time, at random, or upon an event. */
@@ -158,6 +159,7 @@ final class FaultRunner {
       case AMBIENT -> world.setAmbient(subject, numbers.get(0));
       case CLOUDS -> world.setClouds(numbers.get(0));
       case SUN -> world.setClouds(0);
+      case WALK -> new Walks(world, clock).go(subject, new Point2(numbers.get(0), numbers.get(1)));
       case MOVE -> world.moveByHand(subject, new Position(numbers.get(0), numbers.get(1), 0));
       case BLOCK -> world.moveByHand(subject, middleOf(fault.name().orElseThrow()));
       case HIDE -> world.hide(subject, true);

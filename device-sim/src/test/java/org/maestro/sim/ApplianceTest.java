@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
@@ -113,6 +114,30 @@ class ApplianceTest {
           .isBetween(Duration.ofSeconds(3), Duration.ofSeconds(4));
       assertThat(homes.facts("stereo")).contains("(= (disc stereo) 3)");
     }
+  }
+
+  @Test
+  void readsWhatIsInIt() {
+    try (Homes homes = evening()) {
+      assertThat(isThere(homes, "apple-1")).isTrue();
+      assertThat(isThere(homes, "pasta-1")).as("it stands on the counter").isFalse();
+
+      homes.world().hide("apple-1", false);
+      homes.world().moveByHand("apple-1", new Position(7.1, 2.1, 0.72));
+      assertThat(isThere(homes, "apple-1")).as("it was taken out").isFalse();
+    }
+  }
+
+  private static boolean isThere(Homes homes, String food) {
+    Object found =
+        homes
+            .call(
+                "refrigerator",
+                "takeStock",
+                Map.of("object", Map.of("ref", "https://w3id.org/maestro/home/evening#" + food)))
+            .values()
+            .get("found");
+    return Boolean.TRUE.equals(found);
   }
 
   @Test

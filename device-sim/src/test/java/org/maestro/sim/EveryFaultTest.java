@@ -124,6 +124,8 @@ class EveryFaultTest {
           Trouble.of("zone-b", "ambient 500", homes -> homes.world().lux("zone-b") > 500);
       case CLOUDS -> Trouble.ofTheSky("clouds 1", 0, homes -> daylight(homes) < 10_000);
       case SUN -> Trouble.ofTheSky("sun", 1, homes -> daylight(homes) > 10_000);
+      case WALK ->
+          Trouble.of("Bob", "walk 1.2 2.1", homes -> isAt(homes, "Bob", new Point2(1.2, 2.1)));
       case MOVE -> Trouble.of("Cup", "move 4 2", homes -> isAt(homes, "Cup", new Point2(4, 2)));
       case BLOCK ->
           Trouble.of("Bob", "block door-ab", homes -> isAt(homes, "Bob", new Point2(3, 2.35)));

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
+import org.maestro.agents.centre.HomeRules;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.centre.Undoing;
@@ -64,6 +65,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient GoalRequests requests;
   private final transient Undoing undoing;
   private final transient Sayings sayings;
+  private final transient HomeRules rules;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
 
@@ -99,6 +101,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     this.requests = new GoalRequests(this, knowledge, coordinator, stories);
     this.undoing = new Undoing(this, coordinator, requests);
     this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues);
+    this.rules = new HomeRules(this, knowledge.home(), requests);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -158,6 +161,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     }
     requests.takeUp(recovery);
     coordinator.resume(recovery, patience(COMEBACK), requests::ended);
+    rules.begin(patience(COMEBACK));
   }
 
   /** The agents of another coordinator's time tell who is there, as they did then. */
@@ -258,6 +262,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       if (phase.get().equals("ready")) {
         deliberation.memberPresent(member.get(), message.getSender(), words.string("life"));
         present.add(member.get());
+        rules.memberPresent(member.get());
       } else {
         present.remove(member.get());
         deliberation.memberLost(member.get(), words.string("reason").orElse("lost"));

@@ -29,6 +29,7 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
+import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.PlanRecord;
@@ -161,6 +162,34 @@ public final class Coordinator {
     String id = begun.nextId();
     takeOn(id, request, answer, news, ended);
     return id;
+  }
+
+  /**
+   * Holds a rule from now on. What it begins are goals as all are; nothing of the rule itself is
+   * written down, since each coordinator is told the rules of its time.
+   *
+   * @param name its id among goals, and no other goal's
+   * @param rule its goal is bound to a time or an event
+   * @param told once, how it ended
+   * @throws InvalidGoalException when it speaks of what nobody knows
+   */
+  public void hold(String name, GoalRequest rule, Consumer<GoalOutcome> told) {
+    new GoalCheck(ports.knowledge().home()).check(rule);
+    Ports unwritten = keeping(privateWords(rule), ports.with(Journal.none()));
+    ActiveGoal pursuit =
+        new EntryGoal(
+            name,
+            rule,
+            unwritten,
+            activeGoals,
+            begun,
+            outcome -> {
+              ended(new Recovery.EndedGoal(rule, outcome));
+              told.accept(outcome);
+            });
+    pursuits.put(name, pursuit);
+    activeGoals.enter(pursuit, new GoalPriority(rule.priority(), rule.deadline(), 0));
+    activeGoals.run(pursuit::start);
   }
 
   private GoalRequest checked(GoalRequest stated) {

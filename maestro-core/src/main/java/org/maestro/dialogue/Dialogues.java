@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Facts;
 
@@ -38,6 +39,18 @@ public final class Dialogues {
    */
   public synchronized SpokenWords with(String person) {
     return spokenByPerson.computeIfAbsent(person, name -> new SpokenWords(home, facts, now));
+  }
+
+  /**
+   * What somebody says to a question of a script, as scripts take answers; the same words where
+   * they are none in her language.
+   */
+  public String answer(Utterance utterance, Speech question) {
+    return question
+        .wanted()
+        .map(Speech.Wanted::type)
+        .flatMap(type -> with(utterance.person()).answer(utterance, type))
+        .orElse(utterance.text());
   }
 
   /** The questions that scripts have asked. */

@@ -17,6 +17,7 @@ import org.maestro.language.Listening;
 import org.maestro.language.Understanding;
 import org.maestro.language.meaning.Doubt;
 import org.maestro.language.meaning.Meaning;
+import org.maestro.language.meaning.SaidAnswer;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AbilityWords;
@@ -218,6 +219,23 @@ public final class SpokenWords {
   }
 
   /**
+   * What she says, as the answer to a question of a script, in the words in which scripts take
+   * answers; empty where it says nothing of what is wanted. Nothing is remembered of it.
+   *
+   * @param type of answer that is wanted, as the script has it
+   */
+  public synchronized Optional<String> answer(Utterance utterance, String type) {
+    Home there = home.get();
+    room = room(utterance);
+    Situation situation = situation(there, utterance, Discourse.NONE);
+    return new SaidAnswer(type, situation)
+        .of(
+            language(there, Optional.of(utterance))
+                .understand(utterance.text(), situation)
+                .meanings());
+  }
+
+  /**
    * Whether something would be understood that she could have said instead, as a wish or a
    * question. Nothing is remembered of it.
    */
@@ -363,6 +381,10 @@ public final class SpokenWords {
   }
 
   private Situation situation(Home there, Utterance utterance) {
+    return situation(there, utterance, discourse);
+  }
+
+  private Situation situation(Home there, Utterance utterance, Discourse before) {
     LocalTime time =
         now.get().atZone(there.timeZone().orElseGet(ZoneId::systemDefault)).toLocalTime();
     return new Situation(
@@ -372,7 +394,7 @@ public final class SpokenWords {
         room.map(name -> place(there, name)),
         Optional.empty(),
         OptionalInt.of(time.getHour() * MINUTES_OF_HOUR + time.getMinute()),
-        discourse);
+        before);
   }
 
   /** Where a room is no place of which anything is known, its zone is, which is called the same. */

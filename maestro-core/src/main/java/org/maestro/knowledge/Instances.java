@@ -2,6 +2,7 @@ package org.maestro.knowledge;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,25 +32,41 @@ public final class Instances {
   /** The condition as it holds, without variables, and what it has in their places. */
   public Map<Formula, Substitution> all() {
     List<Map<String, Term>> bindings = List.of(Map.of());
+    Evaluation known = new Evaluation(now);
+    Set<String> bound = new HashSet<>();
     for (String variable : FreeVariables.of(condition)) {
+      bound.add(variable);
+      List<Formula> decided = decided(variable, bound);
       List<Map<String, Term>> extended = new ArrayList<>();
       for (Map<String, Term> binding : bindings) {
         for (Term.Name individual : individuals(variable, binding)) {
           Map<String, Term> with = new HashMap<>(binding);
           with.put(variable, individual);
-          extended.add(with);
+          if (decided.stream().allMatch(part -> known.truth(part, with) == Truth.TRUE)) {
+            extended.add(with);
+          }
         }
       }
       bindings = extended;
     }
     Map<Formula, Substitution> instances = new LinkedHashMap<>();
     for (Map<String, Term> binding : bindings) {
-      if (new Evaluation(now).truth(condition, binding) == Truth.TRUE) {
+      if (known.truth(condition, binding) == Truth.TRUE) {
         Substitution instance = new Substitution(binding);
         instances.put(instance.apply(condition), instance);
       }
     }
     return instances;
+  }
+
+  /** The parts that have to hold, and of which this is the last variable. */
+  private List<Formula> decided(String variable, Set<String> bound) {
+    return condition instanceof Formula.And and
+        ? and.operands().stream()
+            .filter(part -> FreeVariables.of(part).contains(variable))
+            .filter(part -> bound.containsAll(FreeVariables.of(part)))
+            .toList()
+        : List.of();
   }
 
   private List<Term.Name> individuals(String variable, Map<String, Term> binding) {

@@ -33,6 +33,7 @@ public final class Procedures {
         new Kind("observing", context -> new ObserveObject(context, observations)));
     kinds.put("lookAround", new Kind("observing", LookAround::new));
     kinds.put("stopObserve", new Kind("observing", context -> new StopObserve(observations)));
+    kinds.put("takeStock", new Kind("reading", TakeStock::new));
     kinds.put("measureIllumination", new Kind("measuring", MeasureIllumination::new));
     kinds.put("adjustLight", new Kind("adjusting", AdjustLight::new));
     kinds.put("adjustShutter", new Kind("shutter-in-movement", AdjustShutter::new));

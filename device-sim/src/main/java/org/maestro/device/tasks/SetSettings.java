@@ -38,7 +38,7 @@ final class SetSettings extends DeviceProcedure {
 
   @Override
   void start(Execution execution, CallParameters parameters) {
-    appliance.set(wanted(parameters), ending(execution));
+    appliance.set(wanted(parameters), ending(execution), execution::ended);
   }
 
   @Override

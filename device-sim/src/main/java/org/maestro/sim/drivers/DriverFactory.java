@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Camera;
+import org.maestro.hal.ContentsReader;
 import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
@@ -128,6 +129,9 @@ public final class DriverFactory {
                       actuator, parameters.presence(), area(device), robots));
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
+      case "stocked-appliance" ->
+          appliance(device, actuator)
+              .with(ContentsReader.class, new SimulatedContentsReader(actuator, place(device)));
       case "clock" -> clock(device, actuator);
       case "shutter" -> shutter(device, actuator);
       case "mobile-robot" -> robot(device, actuator, this::gliding);
@@ -157,8 +161,8 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, door, appliance, clock, shutter, mobile-robot,"
-                  + " mobile-robot-with-camera,"
+                  + " light-sensor, tsl2561, presence-sensor, door, appliance, stocked-appliance,"
+                  + " clock, shutter, mobile-robot, mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot, exploring-robot,"
                   + " signal-field.");
     };

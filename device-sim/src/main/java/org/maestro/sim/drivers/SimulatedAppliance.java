@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Settings;
@@ -65,16 +66,16 @@ final class SimulatedAppliance implements Switch, Settings {
     if (on == isOn()) {
       completion.done();
     } else {
-      become(0, before -> new State(on, usual(on, before.values())), completion);
+      become(0, before -> new State(on, usual(on, before.values())), completion, () -> false);
     }
   }
 
   @Override
-  public void set(Map<String, Term> values, Completion completion) {
+  public void set(Map<String, Term> values, Completion completion, BooleanSupplier isCalledOff) {
     if (!isOn() && values.keySet().stream().anyMatch(name -> setting(name).whileOn())) {
       completion.failed("it is switched off");
     } else {
-      become(seconds(values.keySet()), before -> with(before, values), completion);
+      become(seconds(values.keySet()), before -> with(before, values), completion, isCalledOff);
     }
   }
 
@@ -84,12 +85,19 @@ final class SimulatedAppliance implements Switch, Settings {
     return new State(before.on(), all);
   }
 
-  private void become(double seconds, UnaryOperator<State> next, Completion completion) {
+  private void become(
+      double seconds,
+      UnaryOperator<State> next,
+      Completion completion,
+      BooleanSupplier isCalledOff) {
     actuator.command(
         WorldEvent.Kind.ADJUST,
         data.relaySeconds() + seconds,
         completion::failed,
         () -> {
+          if (isCalledOff.getAsBoolean()) {
+            return;
+          }
           ordered = next.apply(told());
           if (!actuator.flaw().isIdle()) {
             state = next.apply(state);

@@ -27,6 +27,7 @@ import java.util.List;
  * <tr><td>has so much light besides; lux</td><td>a zone</td><td>{@code ambient 40}</td></tr>
  * <tr><td>clouds hide a share of the sky</td><td>the home</td><td>{@code clouds 0.7}</td></tr>
  * <tr><td>the sun comes out</td><td>the home</td><td>{@code sun}</td></tr>
+ * <tr><td>walks there: x and y</td><td>a thing or person</td><td>{@code walk 1 2}</td></tr>
  * <tr><td>stands elsewhere: x and y</td><td>a thing or person</td><td>{@code move 1 2}</td></tr>
  * <tr><td>stands in a door</td><td>a thing or person</td><td>{@code block door-ab}</td></tr>
  * <tr><td>is put into a cupboard, taken out</td><td>a thing</td><td>{@code hide}, {@code show}</td></tr>
@@ -56,6 +57,7 @@ public enum Deed {
   AMBIENT(Subject.ZONE, Argument.NUMBER),
   CLOUDS(Subject.HOME, Argument.SHARE),
   SUN(Subject.HOME),
+  WALK(Subject.THING, Argument.ANY_NUMBER, Argument.ANY_NUMBER),
   MOVE(Subject.THING, Argument.ANY_NUMBER, Argument.ANY_NUMBER),
   BLOCK(Subject.THING, Argument.NAME),
   HIDE(Subject.THING),

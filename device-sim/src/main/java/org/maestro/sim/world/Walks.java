@@ -8,8 +8,8 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sim.scene.WorldEvent;
 
 /**
- * Lets persons walk their rounds. They walk through whatever stands in their way (assumed): others
- * have to look out.
+ * Lets persons walk, once or in rounds for ever. They walk through whatever stands in their way
+ * (assumed): others have to look out.
  */
 public final class Walks {
 
@@ -31,6 +31,11 @@ public final class Walks {
     walk(person, corners, 0);
   }
 
+  /** From where the person is straight to a place, and no farther. */
+  public void go(String person, Point2 to) {
+    walk(person, to, () -> {});
+  }
+
   private void later(String person, double seconds, Runnable then) {
     clock.schedule(
         Duration.ofNanos(Math.round(seconds * NANOS)),
@@ -43,16 +48,19 @@ public final class Walks {
   }
 
   private void walk(String person, List<Point2> corners, int next) {
+    walk(person, corners.get(next), () -> walk(person, corners, (next + 1) % corners.size()));
+  }
+
+  private void walk(String person, Point2 to, Runnable then) {
     Point2 here = world.position(person).orElseThrow().floor();
-    Point2 corner = corners.get(next);
-    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(corner), WALKING_SPEED));
+    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(to), WALKING_SPEED));
     later(
         person,
-        Math.max(0.1, here.distance(corner) / WALKING_SPEED),
+        Math.max(0.1, here.distance(to) / WALKING_SPEED),
         () -> {
           world.whereabouts().stop(person);
           world.tell(WorldEvent.Kind.MOVED, person, Optional.empty());
-          walk(person, corners, (next + 1) % corners.size());
+          then.run();
         });
   }
 }

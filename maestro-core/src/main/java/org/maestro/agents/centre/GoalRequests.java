@@ -28,6 +28,7 @@ import org.maestro.coordination.api.Requester;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.ReadingRights;
+import org.maestro.ontology.home.Rule;
 import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
@@ -38,6 +39,9 @@ import org.maestro.sl.Term;
  * cancel one, to explain one, to list them. Agent thread only.
  */
 public final class GoalRequests {
+  /** Who asks for what the home's file has begun. */
+  private static final String OF_THE_HOME = "the home";
+
   private final MaestroAgent agent;
   private final KnowledgeBase knowledge;
   private final Coordinator coordinator;
@@ -65,6 +69,14 @@ public final class GoalRequests {
   public void takeUp(Recovery recovery) {
     recovery.goals().forEach(goal -> takenUp.put(goal.id(), goal.request().goal()));
     recovery.ended().forEach(goal -> endings.ended(goal.request().goal(), goal.outcome()));
+  }
+
+  /** Holds a rule of the home under its name, as one who asks for it would have it. */
+  void hold(Rule rule) {
+    coordinator.hold(
+        rule.name(),
+        new GoalRequest(rule.goal(), OF_THE_HOME),
+        outcome -> endings.ended(rule.goal(), outcome));
   }
 
   /** One of them has come to its end. */

@@ -87,7 +87,7 @@ public final class Sayings {
     }
     requests.answer(
         question.part(),
-        said.utterance().text(),
+        dialogues.answer(said.utterance(), question),
         said.caller(),
         (performative, contents) -> {
           boolean isOver =

@@ -95,6 +95,22 @@ public record Ports(
     return with(knowledge, planner, dispatcher, thinking, story, other);
   }
 
+  /** The same, written down elsewhere. */
+  public Ports with(Journal other) {
+    return new Ports(
+        knowledge,
+        planner,
+        contractNet,
+        dispatcher,
+        thinking,
+        owner,
+        clock,
+        story,
+        other,
+        comeback,
+        messenger);
+  }
+
   /** For work that can wait a moment. */
   public Ports patient() {
     return with(knowledge, planner, dispatcher, thinking.patient(), story, messenger);

@@ -34,6 +34,7 @@ record Answers(String type, Home home) {
       case "boolean" ->
           Optional.ofNullable(TRUTHS.get(text.toLowerCase(Locale.ROOT))).map(Term.Truth::new);
       case "double", "decimal" -> number(text);
+      case "duration" -> seconds(text);
       case "integer" ->
           number(text)
               .filter(n -> ((Term.Number) n).value() == Math.rint(((Term.Number) n).value()));
@@ -45,6 +46,12 @@ record Answers(String type, Home home) {
     return text.matches("[-+]?[0-9]{1,15}([.][0-9]{1,15})?")
         ? Optional.of(new Term.Number(Double.parseDouble(text)))
         : Optional.empty();
+  }
+
+  /** As people say it, it was read before, where their language is known. */
+  private static Optional<Term> seconds(String text) {
+    return number(text.replaceFirst("\\s*s(econds?)?$", ""))
+        .filter(number -> ((Term.Number) number).value() >= 0);
   }
 
   /** By its name, or by its label as people write it. */
@@ -66,6 +73,7 @@ record Answers(String type, Home home) {
       case "string" -> "write some words";
       case "double", "decimal" -> "write a number, such as 21.5";
       case "integer" -> "write a whole number, such as 3";
+      case "duration" -> "say how long, such as half an hour, or 0 seconds";
       default -> {
         List<String> choices = choices();
         yield choices.isEmpty()

@@ -56,7 +56,8 @@ final class BodyCheck {
       names(variables).check(ask.who());
       ask.words().forEach(names(variables)::check);
       speech.check(ask, variables);
-      Map<String, List<String>> inside = with(variables, ask.answer().name(), List.of(ask.type()));
+      Map<String, List<String>> inside =
+          with(variables, ask.answer().name(), List.of(SpeechCheck.answer(ask)));
       ask.parts().forEach(part -> check(part, inside));
     } else {
       step(body, variables);

@@ -15,6 +15,7 @@ import org.maestro.ontology.wording.Wording;
  * Immutable; devices and group agents are among the individuals too.
  *
  * @param scripts how things are done in it, by their names
+ * @param rules what begins in it by itself, by their names
  * @param timeZone of the clocks on its walls; empty: that of the machine on which one asks
  * @param wording what its words are called in the languages of people
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
@@ -29,6 +30,7 @@ public record Home(
     Map<String, Device> devices,
     Map<String, Group> groups,
     Map<String, Script> scripts,
+    Map<String, Rule> rules,
     Optional<ZoneId> timeZone,
     Wording wording,
     String words,
@@ -38,6 +40,7 @@ public record Home(
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
     groups = Collections.unmodifiableMap(new TreeMap<>(groups));
     scripts = Collections.unmodifiableMap(new TreeMap<>(scripts));
+    rules = Collections.unmodifiableMap(new TreeMap<>(rules));
   }
 
   /** The same home with these scripts. */
@@ -50,6 +53,7 @@ public record Home(
         devices,
         groups,
         others,
+        rules,
         timeZone,
         wording,
         words,
@@ -66,6 +70,7 @@ public record Home(
         others,
         groups,
         scripts,
+        rules,
         timeZone,
         wording,
         words,
@@ -82,6 +87,7 @@ public record Home(
         devices,
         groups,
         scripts,
+        rules,
         Optional.of(zone),
         wording,
         words,
@@ -103,6 +109,7 @@ public record Home(
         individuals,
         devices,
         groups,
+        Map.of(),
         Map.of(),
         Optional.empty(),
         Wording.NONE,
@@ -172,6 +179,7 @@ public record Home(
         joined,
         groups,
         scripts,
+        rules,
         timeZone,
         wording,
         words,

@@ -19,7 +19,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
 import org.maestro.ontology.wording.WordingReader;
 
-/** Reads the home of a graph: its things, its devices and its scripts. */
+/** Reads the home of a graph: its things, its devices, its scripts and its rules. */
 final class HomeReader {
 
   private static final String HOME = "Home";
@@ -45,13 +45,15 @@ final class HomeReader {
       if (subject.isURI()
           && !homes.contains(subject)
           && !isAWord(subject)
-          && !ScriptReader.isScript(graph, subject)) {
+          && !ScriptReader.isScript(graph, subject)
+          && !RuleReader.isRule(graph, subject)) {
         Individual individual = reader.read(subject);
         checkName(subject, individual.name(), nodes);
         individuals.put(individual.name(), individual);
       }
     }
     Map<String, Node> scripts = scripts(nodes);
+    Map<String, Node> rules = rules(nodes, scripts);
     roomsAsZones(individuals);
     VocabularyCheck words = new VocabularyCheck(graph, vocabulary, individuals::containsKey);
     words.check();
@@ -65,11 +67,14 @@ final class HomeReader {
             devices(individuals, nodes, words),
             groups(individuals, nodes, words, scripts.keySet()),
             readScripts(scripts),
+            readRules(rules),
             timeZone(homeNode),
             new WordingReader(graph, vocabulary).read(),
             ownWords(homeNode),
             Optional.of(source.substring(source.lastIndexOf('/') + 1)));
     check(home, nodes, scripts);
+    new RuleCheck(graph, home).check(rules);
+    checkMap(home);
     return home;
   }
 
@@ -94,6 +99,27 @@ final class HomeReader {
     Map<String, Script> scripts = new TreeMap<>();
     nodes.forEach((name, node) -> scripts.put(name, reader.read(node)));
     return scripts;
+  }
+
+  /** The rules of the text, whose names are neither things' nor words' nor scripts'. */
+  private Map<String, Node> rules(Map<String, Node> things, Map<String, Node> scripts) {
+    Map<String, Node> taken = new TreeMap<>(things);
+    taken.putAll(scripts);
+    Map<String, Node> rules = new TreeMap<>();
+    for (Node subject : graph.subjectsOf(source)) {
+      if (subject.isURI() && RuleReader.isRule(graph, subject)) {
+        checkName(subject, Literals.name(subject), taken);
+        rules.put(Literals.name(subject), subject);
+      }
+    }
+    return rules;
+  }
+
+  private Map<String, Rule> readRules(Map<String, Node> nodes) {
+    RuleReader reader = new RuleReader(graph, vocabulary);
+    Map<String, Rule> rules = new TreeMap<>();
+    nodes.forEach((name, node) -> reader.read(node).ifPresent(rule -> rules.put(name, rule)));
+    return rules;
   }
 
   private Optional<ZoneId> timeZone(Node home) {
@@ -152,7 +178,7 @@ final class HomeReader {
     return groups;
   }
 
-  /** Thing by thing, and the map as a whole if nothing was wrong before. */
+  /** Thing by thing. */
   private void check(Home home, Map<String, Node> nodes, Map<String, Node> scripts) {
     HomeCheck check = new HomeCheck(graph, vocabulary);
     nodes.forEach(
@@ -174,6 +200,10 @@ final class HomeReader {
     scripts.values().forEach(check::checkScript);
     new ScriptCheck(graph, home).check(scripts);
     new GroupCheck(graph, home).check(nodes);
+  }
+
+  /** The map as a whole, if nothing was wrong before. */
+  private void checkMap(Home home) {
     if (graph.faults().isEmpty()) {
       new MapCheck(graph, home).check();
     }

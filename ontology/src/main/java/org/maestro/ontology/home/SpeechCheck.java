@@ -19,9 +19,12 @@ import org.maestro.sl.Term;
 final class SpeechCheck {
   private static final List<String> WHO_HEARS = List.of("Listener");
 
+  /** Which is a number of seconds in the script. */
+  private static final String DURATION = "duration";
+
   /** What people can write that is no name of a thing. */
   private static final List<String> ANSWERS =
-      List.of("string", "boolean", "double", "decimal", "integer");
+      List.of("string", "boolean", "double", "decimal", "integer", DURATION);
 
   private static final List<String> A_NUMBER = List.of("decimal");
 
@@ -44,6 +47,11 @@ final class SpeechCheck {
           "speaks to %s, which is neither a person nor a room".formatted(SlPrinter.print(who)),
           "name one that is a maestro:Listener" + example());
     }
+  }
+
+  /** The class or datatype of what the script is answered. */
+  static String answer(Body.Ask ask) {
+    return ask.type().equals(DURATION) ? "decimal" : ask.type();
   }
 
   void check(Body.Ask ask, Map<String, List<String>> variables) {

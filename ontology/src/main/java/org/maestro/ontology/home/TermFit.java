@@ -56,7 +56,13 @@ final class TermFit {
     }
     return Parameter.isDatatype(given) || Parameter.isDatatype(type)
         ? valueOf(given).equals(valueOf(type))
-        : home.vocabulary().mayBeBoth(given, type);
+        : home.vocabulary().mayBeBoth(given, type) || areBoth(given, type);
+  }
+
+  /** Whether something of the home is of both classes, as a room may be a zone. */
+  private boolean areBoth(String one, String other) {
+    return home.individuals().values().stream()
+        .anyMatch(thing -> thing.classes().contains(one) && thing.classes().contains(other));
   }
 
   /** What is written for a value of the datatype; empty for a class. */

@@ -35,6 +35,7 @@ public final class VocabularyReader {
           "Task",
           "Home",
           "Script",
+          "Rule",
           "State",
           "Construction");
 

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import org.maestro.agents.content.AskedGoal;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.hal.Drivers;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.rats.member.MemberProfile;
@@ -105,6 +106,11 @@ public final class Stage implements AutoCloseable {
   /** The truth behind it: ask it, and change it. */
   public World world() {
     return site.world();
+  }
+
+  /** The hardware of a device as it truly is, whatever the device says of itself. */
+  public Drivers drivers(String device) {
+    return site.simulated().drivers(device);
   }
 
   public MaestroPlatform platform() {

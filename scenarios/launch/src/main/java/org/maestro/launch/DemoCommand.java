@@ -3,6 +3,7 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -42,6 +43,25 @@ final class DemoCommand implements Callable<Integer> {
   private static final Map<String, String> GOALS =
       Map.of("bob", "(nextTo Cup Bob)", "arena", "(nextTo GreenObject RedObject1)");
 
+  private static final List<String> DEMOS =
+      List.of(
+          "bob-dark",
+          "bob-lit",
+          "bob-cup-in-a",
+          "bob-hidden",
+          "bob-weak-lamps",
+          "arena-dark",
+          HousekeeperEvening.SCENE,
+          FamilyEvening.NAME);
+
+  /** The names of the demos, for shells that complete them. */
+  static final class Demos implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return DEMOS.iterator();
+    }
+  }
+
   @Spec private CommandSpec spec;
 
   @Mixin private Allocation allocation;
@@ -49,10 +69,11 @@ final class DemoCommand implements Callable<Integer> {
   @Parameters(
       arity = "0..1",
       paramLabel = "NAME",
-      completionCandidates = Shipped.Scenes.class,
+      completionCandidates = Demos.class,
       defaultValue = "bob-dark",
       description =
-          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark or housekeeper.")
+          "bob-dark, bob-lit, bob-cup-in-a, bob-hidden, bob-weak-lamps, arena-dark, housekeeper or"
+              + " evening.")
   private String scene;
 
   @Option(
@@ -74,6 +95,9 @@ final class DemoCommand implements Callable<Integer> {
       description = "Show it in a page, too, and stay with it until Ctrl-C.")
   private boolean console;
 
+  @Option(names = "--wine", description = "Of evening: Dave has wine, after which dinner goes on.")
+  private boolean wine;
+
   @Option(names = "--json", description = "Print one JSON document instead of the story.")
   private boolean json;
 
@@ -89,16 +113,22 @@ final class DemoCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     long started = System.nanoTime();
-    if (!Shipped.SCENES.contains(scene)) {
+    if (!DEMOS.contains(scene)) {
       throw CommandException.badInput(
-          "There is no demo %s; there are %s.".formatted(scene, String.join(", ", Shipped.SCENES)));
+          "There is no demo %s; there are %s.".formatted(scene, String.join(", ", DEMOS)));
     }
     Speed.require(speed);
     if (console && json) {
       throw CommandException.badInput("--console stays, --json prints and ends; leave one away.");
     }
+    if (wine && !scene.equals(FamilyEvening.NAME)) {
+      throw CommandException.badInput("--wine is for the demo evening; leave it away.");
+    }
     if (scene.equals(HousekeeperEvening.SCENE)) {
       return evening();
+    }
+    if (scene.equals(FamilyEvening.NAME)) {
+      return familyEvening();
     }
     String homeName = scene.substring(0, scene.indexOf('-'));
     Home home = Shipped.home(homeName);
@@ -183,6 +213,21 @@ final class DemoCommand implements Callable<Integer> {
       }
       return evening.wentWell() ? ExitCode.DONE : ExitCode.NOT_REACHED;
     }
+  }
+
+  /** From event to event, as it takes the most part of an hour. */
+  private Integer familyEvening() {
+    if (console) {
+      throw CommandException.badInput(
+          "The demo evening goes from event to event and ends; leave --console away, or see it with"
+              + " ./maestro run evening --scene homecoming --console.");
+    }
+    FamilyEvening evening =
+        new FamilyEvening(
+            wine, seed, json ? Optional.empty() : Optional.of(spec.commandLine().getOut()));
+    evening.run(RuntimeDirectory.ofUser().beginStories(NAME));
+    evening.tell(spec.commandLine().getOut());
+    return evening.wentWell() ? ExitCode.DONE : ExitCode.NOT_REACHED;
   }
 
   private static void stay(LocalSite site, Console served, PrintWriter out)

@@ -31,6 +31,7 @@ final class Shipped {
           "arena-dark",
           "housekeeper",
           "evening",
+          "homecoming",
           "glasses",
           "exploration");
 

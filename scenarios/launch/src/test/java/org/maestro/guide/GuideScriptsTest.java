@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -115,6 +116,22 @@ class GuideScriptsTest {
       MaestroAssertions.assertThat(outcome).isReached();
       MaestroAssertions.assertThat(stage.world()).hasLampAt("lamp-a1", 0).hasLampAt("lamp-a2", 0);
       assertThat(begun).hasSize(6);
+    }
+  }
+
+  @Test
+  void theRulesAreHeldFromTheStartOn() throws IOException {
+    String text = turtle() + "\n" + block("rule");
+    assertThat(new HomeLoader().load(text, "bob.ttl").rules())
+        .containsOnlyKeys("everyEvening", "porchLight");
+    try (Stage stage = stage("rules", text)) {
+      List<String> told = new CopyOnWriteArrayList<>();
+      stage.platform().onStory(entry -> told.add(entry.goalId() + " " + entry.text()));
+      stage.await(
+          "they are held",
+          () ->
+              told.stream().anyMatch(line -> line.startsWith("everyEvening the home asks for"))
+                  && told.stream().anyMatch(line -> line.startsWith("porchLight the home asks")));
     }
   }
 

@@ -125,6 +125,7 @@ final class OtherWords {
         home.devices(),
         home.groups(),
         home.scripts(),
+        home.rules(),
         home.timeZone(),
         with(home.wording(), this::translated),
         home.words(),

@@ -90,7 +90,8 @@ public final class Chat implements Source {
                 Operation.Method.POST,
                 "/chat/heard",
                 "hear",
-                "Tells words of a person as they are heard; what is certain is begun before the end.",
+                "Tells words of a person as they are heard; what is certain is begun before the"
+                    + " end.",
                 "chat-heard",
                 request -> hear(read(request), request.body().path("more").asBoolean(false)))
             .by(Role.OPERATOR)
@@ -188,7 +189,7 @@ public final class Chat implements Source {
 
   private void answer(Speech question, Utterance utterance) {
     answering
-        .answer(question.part(), utterance.text(), utterance.asker())
+        .answer(question.part(), dialogues.answer(utterance, question), utterance.asker())
         .thenAccept(done -> answered(question, utterance))
         .exceptionally(
             failure -> {
