@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.language.Language;
 import org.maestro.language.Listening;
@@ -43,6 +44,7 @@ public final class SpokenWords {
   private final Supplier<Home> home;
   private final Supplier<? extends Facts> facts;
   private final Supplier<Instant> now;
+  private final Consumer<Utterance> listener;
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
   private Optional<Utterance> latest = Optional.empty();
@@ -57,11 +59,17 @@ public final class SpokenWords {
    * @param home as it is known at the time
    * @param facts what is known at the time
    * @param now the time that clocks on the walls show
+   * @param listener is told of what is said to the end
    */
-  SpokenWords(Supplier<Home> home, Supplier<? extends Facts> facts, Supplier<Instant> now) {
+  SpokenWords(
+      Supplier<Home> home,
+      Supplier<? extends Facts> facts,
+      Supplier<Instant> now,
+      Consumer<Utterance> listener) {
     this.home = home;
     this.facts = facts;
     this.now = now;
+    this.listener = listener;
   }
 
   /**
@@ -118,6 +126,7 @@ public final class SpokenWords {
 
   /** What is meant. */
   public synchronized Hearing read(Utterance utterance) {
+    listener.accept(utterance);
     Home there = home.get();
     boolean isAsked = discourse.asked().isPresent();
     latest = Optional.of(utterance);

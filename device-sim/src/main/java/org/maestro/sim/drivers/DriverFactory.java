@@ -19,6 +19,7 @@ import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.Settings;
@@ -41,6 +42,7 @@ import org.maestro.sim.parameters.BaseData;
 import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.parameters.GripperData;
 import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.parameters.RecognitionData;
 import org.maestro.sim.parameters.WheelData;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneSky;
@@ -71,15 +73,25 @@ public final class DriverFactory {
   private final PhysicalParameters parameters;
   private final Windows windows;
   private final Set<String> robots = new TreeSet<>();
+  private final Set<String> persons;
   private final Photographer photographer;
 
+  /**
+   * @param persons whom sensors that tell persons apart know
+   */
   public DriverFactory(
-      World world, Scene scene, Clock clock, PhysicalParameters parameters, Windows windows) {
+      World world,
+      Scene scene,
+      Clock clock,
+      PhysicalParameters parameters,
+      Windows windows,
+      Set<String> persons) {
     this.world = world;
     this.scene = scene;
     this.clock = clock;
     this.parameters = parameters;
     this.windows = windows;
+    this.persons = Set.copyOf(persons);
     this.photographer = new Photographer(world, robots, parameters);
   }
 
@@ -123,6 +135,8 @@ public final class DriverFactory {
                   PresenceSensor.class,
                   SimulatedPresenceSensor.start(
                       actuator, parameters.presence(), area(device), robots));
+      case "recognising-camera" -> recognition(device, actuator, parameters.recognition(), true);
+      case "phone-receiver" -> recognition(device, actuator, parameters.phone(), false);
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
       case "clock" -> clock(device, actuator);
@@ -149,7 +163,7 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, door, appliance, clock, shutter, mobile-robot,"
+                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver, door, appliance, clock, shutter, mobile-robot,"
                   + " mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot.");
     };
@@ -367,6 +381,20 @@ public final class DriverFactory {
         .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
         .with(MobileBase.class, chassis.on(actuator, base))
         .with(Surroundings.class, new OnBoardMap(device.id(), world));
+  }
+
+  private Drivers recognition(
+      Device device, Actuator actuator, RecognitionData data, boolean needsLight) {
+    Area area = area(device);
+    return Drivers.none()
+        .with(
+            PersonRecognition.class,
+            SimulatedRecognition.start(
+                actuator,
+                data,
+                area,
+                persons,
+                () -> !needsLight || world.lux(area.name()) >= parameters.camera().minimumLux()));
   }
 
   private Area area(Device device) {

@@ -13,6 +13,7 @@ final class SimulatedPresenceSensor implements PresenceSensor {
   private final PresenceData data;
   private final Area area;
   private final Set<String> robots;
+  private final LastingErrors errors;
   private boolean told;
 
   private SimulatedPresenceSensor(
@@ -21,6 +22,8 @@ final class SimulatedPresenceSensor implements PresenceSensor {
     this.data = data;
     this.area = area;
     this.robots = robots;
+    this.errors =
+        new LastingErrors(actuator, data.missShare(), data.falseShare(), data.errorSeconds());
   }
 
   /**
@@ -41,14 +44,19 @@ final class SimulatedPresenceSensor implements PresenceSensor {
   }
 
   private void look() {
-    if (actuator.world().isAlive(actuator.device()) && looked() != told) {
-      told = !told;
+    boolean now = looked();
+    if (actuator.world().isAlive(actuator.device()) && now != told) {
+      told = now;
       actuator.tell(WorldEvent.Kind.MEASURED);
     }
     goOn();
   }
 
   private boolean looked() {
+    return errors.noticed("", isSomebodyHere());
+  }
+
+  private boolean isSomebodyHere() {
     return actuator.world().bodies().stream()
         .filter(name -> !robots.contains(name))
         .flatMap(name -> actuator.world().whereabouts().find(name).stream())

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.time.Clock;
+import org.maestro.sim.scene.Stop;
 import org.maestro.sim.scene.WorldEvent;
 
 /**
@@ -27,8 +28,18 @@ public final class Walks {
   }
 
   /** From where the person is, corner by corner, for ever. */
-  public void start(String person, List<Point2> corners) {
+  public void start(String person, List<Stop> corners) {
     walk(person, corners, 0);
+  }
+
+  private void stay(String person, List<Stop> corners, int at) {
+    double seconds = corners.get(at).seconds();
+    Runnable goOn = () -> walk(person, corners, (at + 1) % corners.size());
+    if (seconds > 0) {
+      later(person, seconds, goOn);
+    } else {
+      goOn.run();
+    }
   }
 
   private void later(String person, double seconds, Runnable then) {
@@ -42,9 +53,9 @@ public final class Walks {
         });
   }
 
-  private void walk(String person, List<Point2> corners, int next) {
+  private void walk(String person, List<Stop> corners, int next) {
     Point2 here = world.position(person).orElseThrow().floor();
-    Point2 corner = corners.get(next);
+    Point2 corner = corners.get(next).place();
     world.whereabouts().start(person, new Drive(clock.now(), here, List.of(corner), WALKING_SPEED));
     later(
         person,
@@ -52,7 +63,7 @@ public final class Walks {
         () -> {
           world.whereabouts().stop(person);
           world.tell(WorldEvent.Kind.MOVED, person, Optional.empty());
-          walk(person, corners, (next + 1) % corners.size());
+          stay(person, corners, next);
         });
   }
 }

@@ -20,6 +20,7 @@ import org.maestro.ontology.wording.Wording;
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
  * @param file its file's name, such as {@code bob.ttl}; empty: it was not read from one
+ * @param tracking how its persons are followed; empty: they are not
  */
 public record Home(
     String iri,
@@ -32,7 +33,8 @@ public record Home(
     Optional<ZoneId> timeZone,
     Wording wording,
     String words,
-    Optional<String> file) {
+    Optional<String> file,
+    Optional<PersonTracking> tracking) {
   public Home {
     individuals = Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(individuals)));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
@@ -53,7 +55,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** The same home with these devices; the others are things of it only. */
@@ -69,7 +72,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** The same home, whose clocks show the time of that zone. */
@@ -85,7 +89,8 @@ public record Home(
         Optional.of(zone),
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** A home without scripts and words of its own. */
@@ -107,6 +112,7 @@ public record Home(
         Optional.empty(),
         Wording.NONE,
         "",
+        Optional.empty(),
         Optional.empty());
   }
 
@@ -162,7 +168,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /**

@@ -19,7 +19,7 @@ import org.maestro.sim.scene.SceneLoader;
 
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {
-  static final List<String> HOMES = List.of("bob", "arena", "housekeeper", "evening");
+  static final List<String> HOMES = List.of("bob", "arena", "housekeeper", "evening", "people");
   static final List<String> SCENES =
       List.of(
           "bob-dark",
@@ -30,7 +30,8 @@ final class Shipped {
           "arena-dark",
           "housekeeper",
           "evening",
-          "glasses");
+          "glasses",
+          "people");
 
   private Shipped() {}
 

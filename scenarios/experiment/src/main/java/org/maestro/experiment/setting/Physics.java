@@ -20,13 +20,15 @@ public final class Physics {
 
   /**
    * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
-   * doors, lamps behind switches, presence sensors, charging stations. And the shades of white, of
+   * doors, lamps behind switches, sensors of persons, charging stations. And the shades of white, of
    * which light and detection do not depend and for which no goal of an experiment asks.
    */
   private static final List<String> ABSENT =
       List.of(
           "world.turn.",
           "world.presence.",
+          "world.recognition.",
+          "world.phone.",
           "world.wheels.wheelRadius",
           "world.wheels.halfLength",
           "world.wheels.halfWidth",
