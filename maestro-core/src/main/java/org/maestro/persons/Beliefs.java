@@ -67,7 +67,7 @@ final class Beliefs {
   private void addGuests(Formula.Atom word) {
     for (String place : setting.places().names()) {
       double probability = whereabouts.guest(place);
-      if (probability > LIKELIER_THAN_NOT) {
+      if (!place.equals(Places.AWAY) && probability > LIKELIER_THAN_NOT) {
         add(word, Map.of(PersonCue.ZONE, new Term.Name(place)), probability);
       }
     }

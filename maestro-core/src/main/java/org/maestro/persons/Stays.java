@@ -17,8 +17,8 @@ import org.maestro.persons.visits.Passages;
  * she is heading. Confined to one thread.
  */
 final class Stays {
-  /** A place that is so likely is where somebody has come to: what follows is counted. */
-  private static final double BELIEVED = 0.7;
+  /** A place that is likelier than any other is where somebody has come to. */
+  private static final double BELIEVED = 0.5;
 
   private final Passages passages;
   private final Map<String, Visit> byPerson = new TreeMap<>();
@@ -44,7 +44,7 @@ final class Stays {
    * @param passage who has not gone on by then stays
    */
   void note(String person, Whereabouts.Likely likeliest, Duration passage, Instant now) {
-    if (likeliest.probability() < BELIEVED) {
+    if (likeliest.probability() <= BELIEVED) {
       return;
     }
     Visit before = byPerson.get(person);

@@ -5,7 +5,6 @@ import org.maestro.hal.Area;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.sim.parameters.PresenceData;
 import org.maestro.sim.scene.WorldEvent;
-import org.maestro.sim.world.Body;
 
 /** A sensor of persons in an area: it looks by itself, and tells when that has changed. */
 final class SimulatedPresenceSensor implements PresenceSensor {
@@ -59,14 +58,19 @@ final class SimulatedPresenceSensor implements PresenceSensor {
   private boolean isSomebodyHere() {
     return actuator.world().bodies().stream()
         .filter(name -> !robots.contains(name))
-        .flatMap(name -> actuator.world().whereabouts().find(name).stream())
         .anyMatch(this::isPersonHere);
   }
 
-  private boolean isPersonHere(Body body) {
-    return body.isInTheOpen()
-        && body.radius() >= data.leastRadius()
-        && area.outline().contains(body.position().floor());
+  /** Who walks is where she is now, not where she set out. */
+  private boolean isPersonHere(String name) {
+    return actuator
+        .world()
+        .whereabouts()
+        .find(name)
+        .filter(body -> body.isInTheOpen() && body.radius() >= data.leastRadius())
+        .flatMap(body -> actuator.world().position(name))
+        .filter(place -> area.outline().contains(place.floor()))
+        .isPresent();
   }
 
   @Override

@@ -80,7 +80,8 @@ final class SimulatedRecognition implements PersonRecognition {
         .whereabouts()
         .find(person)
         .filter(Body::isInTheOpen)
-        .filter(body -> area.outline().contains(body.position().floor()))
+        .flatMap(body -> actuator.world().position(person))
+        .filter(place -> area.outline().contains(place.floor()))
         .isPresent();
   }
 

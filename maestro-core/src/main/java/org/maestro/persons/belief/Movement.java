@@ -40,6 +40,17 @@ public final class Movement {
     return places;
   }
 
+  /** How likely one is in each place after this time, by where one was before. */
+  double[][] chances(Duration time) {
+    double[][] chances = new double[rates.length][];
+    for (int from = 0; from < rates.length; from++) {
+      double[] there = new double[rates.length];
+      there[from] = 1;
+      chances[from] = after(there, time);
+    }
+    return chances;
+  }
+
   /** What becomes of probabilities, one for each place, in this time; their sum stays. */
   double[] after(double[] before, Duration time) {
     double jumps = Math.min(MOST_JUMPS, fastest * seconds(time));

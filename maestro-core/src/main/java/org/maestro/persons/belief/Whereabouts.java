@@ -4,25 +4,33 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
- * Where persons are, as probabilities over places, and in which zones somebody else is: a forward
- * filter of a hidden Markov model. Persons are believed to move independently of each other (Boyen
- * and Koller 1998): what is noticed of somebody whom nobody knows is shared out among all who can
- * be there, guests included, exactly as far as that goes. Immutable.
+ * Where persons are, as probabilities over places: a forward filter of a hidden Markov model. Beside
+ * them there may be one guest, whom nobody knows. They move independently of each other; what was
+ * noticed of somebody without a name ties them together, and is reckoned with exactly for as many
+ * as fit into {@value #MOST_SPREADS} ways of being spread over the places. Larger households are
+ * followed in groups, between which only that much is known (Boyen and Koller 1998). Immutable.
  */
 public final class Whereabouts {
-  private static final double NANOS = 1e9;
+  /** Five persons and a guest in eight places. */
+  private static final int MOST_SPREADS = 300_000;
 
-  /** No guest is certain: somebody of the home may be where nothing has noticed her go. */
-  private static final double MOST_OF_A_GUEST = 0.999;
+  private static final double NANOS = 1e9;
 
   private final Movement movement;
   private final double guestShare;
   private final Duration visit;
   private final List<String> persons;
-  private final double[][] places;
-  private final double[] guests;
+
+  /** In the first of them the guest is the last. */
+  private final List<JointBelief> groups;
+
+  /** How many of the persons are in each group, but for the last, where it may be fewer. */
+  private final int size;
 
   /** A place with its probability. */
   public record Likely(String place, double probability) {
@@ -36,33 +44,63 @@ public final class Whereabouts {
       double guestShare,
       Duration visit,
       List<String> persons,
-      double[][] places,
-      double[] guests) {
+      List<JointBelief> groups) {
     this.movement = movement;
     this.guestShare = guestShare;
     this.visit = visit;
     this.persons = persons;
-    this.places = places;
-    this.guests = guests;
+    this.groups = List.copyOf(groups);
+    this.size = size(movement.places());
+  }
+
+  private static int size(Places places) {
+    int size = 1;
+    while (Math.pow(places.size(), size + 2) <= MOST_SPREADS) {
+      size++;
+    }
+    return size;
   }
 
   /**
    * Nothing is known: each place is as likely as another.
    *
-   * @param guestShare how likely somebody else is in a zone of whom nothing is known, 0 to 1
-   * @param visit how long somebody else stays in the home in the mean
+   * @param guestShare how likely a guest is in a zone of which nothing is known, 0 to 1 in all zones
+   *     together
+   * @param visit how long a guest stays in the home in the mean
    */
   public static Whereabouts unknown(
       List<String> persons, Movement movement, double guestShare, Duration visit) {
-    int size = movement.places().size();
-    double[][] even = new double[persons.size()][size];
-    for (double[] row : even) {
-      Arrays.fill(row, 1.0 / size);
+    double[] even = new double[movement.places().size()];
+    Arrays.fill(even, 1.0 / even.length);
+    return of(persons, persons.stream().map(p -> even).toList(), movement, guestShare, visit);
+  }
+
+  private static Whereabouts of(
+      List<String> persons,
+      List<double[]> each,
+      Movement movement,
+      double guestShare,
+      Duration visit) {
+    int size = size(movement.places());
+    List<JointBelief> groups = new ArrayList<>();
+    for (int first = 0; first == 0 || first < persons.size(); first += size) {
+      List<double[]> rows =
+          new ArrayList<>(each.subList(first, Math.min(persons.size(), first + size)));
+      if (first == 0) {
+        rows.add(strangers(movement.places(), guestShare));
+      }
+      groups.add(JointBelief.independent(rows.toArray(double[][]::new)));
     }
-    double[] guests = new double[size];
-    Arrays.fill(guests, guestShare);
-    guests[size - 1] = 0;
-    return new Whereabouts(movement, guestShare, visit, List.copyOf(persons), even, guests);
+    return new Whereabouts(movement, guestShare, visit, List.copyOf(persons), groups);
+  }
+
+  /** Where a guest is of whom nothing is known. */
+  private static double[] strangers(Places places, double guestShare) {
+    double[] row = new double[places.size()];
+    double share = Math.min(guestShare, 1.0 / row.length);
+    Arrays.fill(row, share);
+    row[places.away()] = 1 - share * places.away();
+    return row;
   }
 
   public List<String> persons() {
@@ -71,12 +109,12 @@ public final class Whereabouts {
 
   /** How likely the person is in the place. */
   public double probability(String person, String place) {
-    return places[number(person)][movement.places().number(place)];
+    return row(person)[movement.places().number(place)];
   }
 
   /** Where the person most likely is; of several the first of the places. */
   public Likely likeliest(String person) {
-    double[] row = places[number(person)];
+    double[] row = row(person);
     int best = 0;
     for (int place = 1; place < row.length; place++) {
       if (row[place] > row[best]) {
@@ -86,9 +124,27 @@ public final class Whereabouts {
     return new Likely(movement.places().names().get(best), row[best]);
   }
 
+  /** All probabilities of a person, in the order of the places. */
+  public List<Likely> of(String person) {
+    double[] row = row(person);
+    return IntStream.range(0, row.length)
+        .mapToObj(place -> new Likely(movement.places().names().get(place), row[place]))
+        .toList();
+  }
+
+  private double[] row(String person) {
+    int number = number(person);
+    return groups.get(number / size).of(number % size);
+  }
+
   /** How likely somebody who is none of the persons is in the zone. */
   public double guest(String zone) {
-    return guests[movement.places().number(zone)];
+    return groups.get(0).of(members(0))[movement.places().number(zone)];
+  }
+
+  /** How many of the persons are in a group. */
+  private int members(int group) {
+    return Math.min(persons.size() - group * size, size);
   }
 
   /** What is to be believed when so much time has passed in which nothing was noticed. */
@@ -96,120 +152,105 @@ public final class Whereabouts {
     if (time.isZero() || time.isNegative()) {
       return this;
     }
-    double[][] later = new double[places.length][];
-    for (int person = 0; person < places.length; person++) {
-      later[person] = normalized(movement.after(places[person], time), places[person]);
+    double[][] own = movement.chances(time);
+    double[][] ofGuest = ofGuest(own, time);
+    List<JointBelief> later = new ArrayList<>();
+    for (int group = 0; group < groups.size(); group++) {
+      double[][][] chances = new double[members(group) + (group == 0 ? 1 : 0)][][];
+      Arrays.fill(chances, own);
+      if (group == 0) {
+        chances[chances.length - 1] = ofGuest;
+      }
+      later.add(groups.get(group).moved(chances));
     }
+    return with(later);
+  }
+
+  /** Visits end, and others begin: then nothing is known of where the guest is. */
+  private double[][] ofGuest(double[][] own, Duration time) {
     double kept = Math.exp(-seconds(time) / seconds(visit));
-    double[] others = movement.after(guests, time).clone();
-    for (int zone = 0; zone < others.length; zone++) {
-      others[zone] = Math.min(MOST_OF_A_GUEST, guestShare + kept * (others[zone] - guestShare));
+    double[] anew = strangers(movement.places(), guestShare);
+    double[][] chances = new double[own.length][own.length];
+    for (int from = 0; from < own.length; from++) {
+      for (int to = 0; to < own.length; to++) {
+        double stays = from == movement.places().away() ? from == to ? 1 : 0 : own[from][to];
+        chances[from][to] = kept * stays + (1 - kept) * anew[to];
+      }
     }
-    others[movement.places().away()] = 0;
-    return new Whereabouts(movement, guestShare, visit, persons, later, others);
+    return chances;
   }
 
   /** What is to be believed after this. */
   public Whereabouts given(Evidence evidence) {
     int zone = movement.places().number(evidence.zone());
-    return evidence
-        .person()
-        .map(person -> givenOf(number(person), zone, evidence))
-        .orElseGet(() -> givenOfSomebody(zone, evidence));
+    Optional<String> person = evidence.person();
+    return person.isPresent()
+        ? givenOf(number(person.get()), zone, evidence)
+        : givenOfSomebody(zone, evidence);
   }
 
   private Whereabouts givenOf(int person, int zone, Evidence evidence) {
-    double[][] later = places.clone();
-    later[person] =
-        weighed(places[person], zone, evidence.likelihoodWhereSo(), evidence.likelihoodElsewhere());
-    return new Whereabouts(movement, guestShare, visit, persons, later, guests);
+    List<JointBelief> later = new ArrayList<>(groups);
+    later.set(
+        person / size,
+        groups
+            .get(person / size)
+            .weighed(
+                person % size,
+                zone,
+                evidence.likelihoodWhereSo(),
+                evidence.likelihoodElsewhere()));
+    return with(later);
   }
 
-  /**
-   * It is not said when neither anybody who is there sets it off, nor does it err; each person's
-   * likelihood is that over all that the others may do.
-   */
+  /** It is not said when neither anybody who is there sets it off, nor does it err. */
   private Whereabouts givenOfSomebody(int zone, Evidence evidence) {
-    double silent = 1 - evidence.falseRate();
-    double all = silent * unnoticed(guests[zone], evidence);
-    for (double[] row : places) {
-      all *= unnoticed(row[zone], evidence);
+    IntToDoubleFunction unnoticed = number -> Math.pow(1 - evidence.hitRate(), number);
+    double[] silent = new double[groups.size()];
+    double all = 1 - evidence.falseRate();
+    for (int group = 0; group < silent.length; group++) {
+      silent[group] = groups.get(group).mean(zone, unnoticed);
+      all *= silent[group];
     }
-    double[][] later = new double[places.length][];
-    for (int person = 0; person < places.length; person++) {
-      double without = all / unnoticed(places[person][zone], evidence);
-      double silentThere = without * (1 - evidence.hitRate());
-      later[person] =
-          evidence.said()
-              ? weighed(places[person], zone, 1 - silentThere, 1 - without)
-              : weighed(places[person], zone, silentThere, without);
+    List<JointBelief> later = new ArrayList<>();
+    for (int group = 0; group < silent.length; group++) {
+      double others = all / silent[group];
+      later.add(
+          groups
+              .get(group)
+              .weighed(
+                  zone,
+                  number ->
+                      evidence.said()
+                          ? 1 - others * unnoticed.applyAsDouble(number)
+                          : unnoticed.applyAsDouble(number)));
     }
-    double without = all / unnoticed(guests[zone], evidence);
-    double silentThere = without * (1 - evidence.hitRate());
-    double so = guests[zone] * (evidence.said() ? 1 - silentThere : silentThere);
-    double not = (1 - guests[zone]) * (evidence.said() ? 1 - without : without);
-    double[] others = guests.clone();
-    others[zone] = so + not > 0 ? Math.min(MOST_OF_A_GUEST, so / (so + not)) : guests[zone];
-    return new Whereabouts(movement, guestShare, visit, persons, later, others);
+    return with(later);
   }
 
-  /** How likely somebody who is there with this probability does not set it off. */
-  private static double unnoticed(double probability, Evidence evidence) {
-    return 1 - probability * evidence.hitRate();
-  }
-
-  private static double[] weighed(double[] row, int zone, double there, double elsewhere) {
-    double[] later = new double[row.length];
-    for (int place = 0; place < row.length; place++) {
-      later[place] = row[place] * (place == zone ? there : elsewhere);
-    }
-    return normalized(later, row);
-  }
-
-  /** What cannot be leaves things as they were. */
-  private static double[] normalized(double[] row, double[] otherwise) {
-    double sum = Arrays.stream(row).sum();
-    if (!(sum > 0)) {
-      return otherwise;
-    }
-    double[] shares = new double[row.length];
-    for (int place = 0; place < row.length; place++) {
-      shares[place] = row[place] / sum;
-    }
-    return shares;
+  private Whereabouts with(List<JointBelief> others) {
+    return new Whereabouts(movement, guestShare, visit, persons, others);
   }
 
   /**
-   * The same of other persons, or in other places: who stays and can be where she was is believed
-   * to be there as before.
+   * The same of other persons, or in other places: who stays and can be where she was is believed to
+   * be there as before.
    */
   public Whereabouts of(List<String> others, Movement otherwise) {
-    Whereabouts anew = unknown(others, otherwise, guestShare, visit);
+    List<double[]> each = new ArrayList<>();
     for (String person : others) {
+      double[] row = new double[otherwise.places().size()];
       if (persons.contains(person)) {
-        double[] row = anew.places[anew.number(person)];
-        Arrays.fill(row, 0);
-        for (String place : otherwise.places().names()) {
-          if (movement.places().has(place)) {
-            row[otherwise.places().number(place)] = probability(person, place);
-          }
-        }
-        double[] even = new double[row.length];
-        Arrays.fill(even, 1.0 / row.length);
-        anew.places[anew.number(person)] = normalized(row, even);
+        otherwise.places().names().stream()
+            .filter(movement.places()::has)
+            .forEach(
+                place -> row[otherwise.places().number(place)] = probability(person, place));
       }
+      double sum = Arrays.stream(row).sum();
+      Arrays.setAll(row, place -> sum > 0 ? row[place] / sum : 1.0 / row.length);
+      each.add(row);
     }
-    return anew;
-  }
-
-  /** All probabilities of a person, in the order of the places. */
-  public List<Likely> of(String person) {
-    List<Likely> all = new ArrayList<>();
-    double[] row = places[number(person)];
-    for (int place = 0; place < row.length; place++) {
-      all.add(new Likely(movement.places().names().get(place), row[place]));
-    }
-    return all;
+    return of(others, each, otherwise, guestShare, visit);
   }
 
   private int number(String person) {

@@ -24,8 +24,11 @@ public final class Passages {
   private static final Duration ABOUT = Duration.ofHours(2);
   private static final Duration REMEMBERED = Duration.ofDays(60);
 
-  /** So many passages count what is assumed before the first: one way is as likely as another. */
-  private static final double ASSUMED = 2;
+  /**
+   * As one passage counts what is assumed before the first: that one way is as likely as another
+   * (Perks 1947).
+   */
+  private static final double ASSUMED = 1;
 
   private final HabitLog log;
   private final List<Passage> passages = new ArrayList<>();

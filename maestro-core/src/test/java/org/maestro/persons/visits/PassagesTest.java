@@ -56,9 +56,9 @@ class PassagesTest {
     evenings(4, "garden", "livingroom");
     Passages.Next often = next(passages, "garden", MONDAY_EVENING).orElseThrow();
 
-    assertThat(once).isLessThan(0.5);
+    assertThat(once).isLessThan(0.7);
     assertThat(often.place()).isEqualTo("livingroom");
-    assertThat(often.probability()).isGreaterThan(0.7).isLessThan(0.95);
+    assertThat(often.probability()).isGreaterThan(0.8).isLessThan(0.95);
   }
 
   @Test

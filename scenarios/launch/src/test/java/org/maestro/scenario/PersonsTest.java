@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.junit.MaestroTest;
+import org.maestro.junit.Speaker;
 import org.maestro.junit.Stage;
 import org.maestro.knowledge.api.Belief;
 import org.maestro.sl.Formula;
@@ -76,11 +77,25 @@ class PersonsTest {
   }
 
   @Test
-  void whoAsksIsToldWhereSomebodyProbablyIs(Stage stage) {
+  void whoAsksIsToldWhereSomebodyIsAndWhereSheProbablyIs(Stage stage) {
     stage.await("Rose is known", () -> known(stage, "(in Rose kitchen)").isPresent());
-    stage.await("Tom is likely", () -> known(stage, "(probablyIn Tom kidsroom)").isPresent());
+    stage.await("Tom is known", () -> known(stage, "(in Tom kidsroom)").isPresent());
+    Speaker rose = stage.speaker("Rose").in("kitchen");
+    rose.says("where is Tom?").replies("The kids' room.");
+    rose.says("where are the kids?").replies("The kids' room.");
 
-    stage.speaker("Rose").in("kitchen").says("where is Tom?").replies("Probably the kids' room.");
+    stage.await("Dave is likely", () -> known(stage, "(probablyIn Dave garden)").isPresent());
+    assertThat(known(stage, "(in Dave garden)")).isEmpty();
+    rose.says("where is Dave?").means("(query-ref (in Dave ?where))").replies("Probably the garden.");
+    rose.says("is Dave in the garden?").replies("Probably.");
+  }
+
+  @Test
+  void whoSpeaksInARoomIsThere(Stage stage) {
+    stage.speaker("Dave").in("bathroom").says("hello");
+
+    assertThat(known(stage, "(heardIn Dave bathroom)").orElseThrow().source().agent())
+        .isEqualTo("bathroom");
   }
 
   @Test

@@ -12,12 +12,12 @@ import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.Stop;
 
 /**
- * Evenings in which each person goes from room to room and stays in each for a while. Seven times
+ * Evenings in which each person goes from room to room and stays in each for a while. Nine times
  * out of ten she goes where she usually goes from there, else anywhere; how long she stays is
  * exponentially distributed (assumed, both). Immutable.
  */
 final class Evenings {
-  private static final double USUAL = 0.7;
+  private static final double USUAL = 0.9;
   private static final double MEAN_STAY_SECONDS = 240;
   private static final double SHORTEST_STAY_SECONDS = 30;
   private static final int STAYS = 40;
