@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.maestro.hal.Area;
@@ -73,7 +74,7 @@ public final class DriverFactory {
   private final PhysicalParameters parameters;
   private final Windows windows;
   private final Set<String> robots = new TreeSet<>();
-  private final Set<String> persons;
+  private final SortedSet<String> persons;
   private final Photographer photographer;
 
   /**
@@ -91,7 +92,7 @@ public final class DriverFactory {
     this.clock = clock;
     this.parameters = parameters;
     this.windows = windows;
-    this.persons = Set.copyOf(persons);
+    this.persons = new TreeSet<>(persons);
     this.photographer = new Photographer(world, robots, parameters);
   }
 

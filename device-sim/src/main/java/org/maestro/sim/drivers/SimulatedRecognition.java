@@ -1,7 +1,7 @@
 package org.maestro.sim.drivers;
 
 import java.util.Map;
-import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import org.maestro.hal.Area;
@@ -15,7 +15,10 @@ final class SimulatedRecognition implements PersonRecognition {
   private final Actuator actuator;
   private final RecognitionData data;
   private final Area area;
-  private final Set<String> persons;
+
+  /** In the order of their names, so that the same seed gives the same errors. */
+  private final SortedSet<String> persons;
+
   private final BooleanSupplier canTell;
   private final LastingErrors errors;
   private Map<String, Boolean> told = Map.of();
@@ -24,7 +27,7 @@ final class SimulatedRecognition implements PersonRecognition {
       Actuator actuator,
       RecognitionData data,
       Area area,
-      Set<String> persons,
+      SortedSet<String> persons,
       BooleanSupplier canTell) {
     this.actuator = actuator;
     this.data = data;
@@ -45,7 +48,7 @@ final class SimulatedRecognition implements PersonRecognition {
       Actuator actuator,
       RecognitionData data,
       Area area,
-      Set<String> persons,
+      SortedSet<String> persons,
       BooleanSupplier canTell) {
     SimulatedRecognition sensor = new SimulatedRecognition(actuator, data, area, persons, canTell);
     sensor.told = sensor.looked();

@@ -9,11 +9,12 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * Where persons are, as probabilities over places: a forward filter of a hidden Markov model. Beside
- * them there may be one guest, whom nobody knows. They move independently of each other; what was
- * noticed of somebody without a name ties them together, and is reckoned with exactly for as many
- * as fit into {@value #MOST_SPREADS} ways of being spread over the places. Larger households are
- * followed in groups, between which only that much is known (Boyen and Koller 1998). Immutable.
+ * Where persons are, as probabilities over places: a forward filter of a hidden Markov model.
+ * Beside them there may be one guest, whom nobody knows. They move independently of each other;
+ * what was noticed of somebody without a name ties them together, and is reckoned with exactly for
+ * as many as fit into {@value #MOST_SPREADS} ways of being spread over the places. Larger
+ * households are followed in groups, between which only that much is known (Boyen and Koller 1998).
+ * Immutable.
  */
 public final class Whereabouts {
   /** Five persons and a guest in eight places. */
@@ -64,8 +65,8 @@ public final class Whereabouts {
   /**
    * Nothing is known: each place is as likely as another.
    *
-   * @param guestShare how likely a guest is in a zone of which nothing is known, 0 to 1 in all zones
-   *     together
+   * @param guestShare how likely a guest is in a zone of which nothing is known, 0 to 1 in all
+   *     zones together
    * @param visit how long a guest stays in the home in the mean
    */
   public static Whereabouts unknown(
@@ -196,10 +197,7 @@ public final class Whereabouts {
         groups
             .get(person / size)
             .weighed(
-                person % size,
-                zone,
-                evidence.likelihoodWhereSo(),
-                evidence.likelihoodElsewhere()));
+                person % size, zone, evidence.likelihoodWhereSo(), evidence.likelihoodElsewhere()));
     return with(later);
   }
 
@@ -233,8 +231,8 @@ public final class Whereabouts {
   }
 
   /**
-   * The same of other persons, or in other places: who stays and can be where she was is believed to
-   * be there as before.
+   * The same of other persons, or in other places: who stays and can be where she was is believed
+   * to be there as before.
    */
   public Whereabouts of(List<String> others, Movement otherwise) {
     List<double[]> each = new ArrayList<>();
@@ -243,8 +241,7 @@ public final class Whereabouts {
       if (persons.contains(person)) {
         otherwise.places().names().stream()
             .filter(movement.places()::has)
-            .forEach(
-                place -> row[otherwise.places().number(place)] = probability(person, place));
+            .forEach(place -> row[otherwise.places().number(place)] = probability(person, place));
       }
       double sum = Arrays.stream(row).sum();
       Arrays.setAll(row, place -> sum > 0 ? row[place] / sum : 1.0 / row.length);

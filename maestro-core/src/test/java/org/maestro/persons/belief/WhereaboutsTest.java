@@ -168,9 +168,9 @@ class WhereaboutsTest {
       for (int rose = 0; rose < joint.length; rose++) {
         for (int guest = 0; guest < joint.length; guest++) {
           int there = (dave == zone ? 1 : 0) + (rose == zone ? 1 : 0) + (guest == zone ? 1 : 0);
-          double silent =
-              (1 - evidence.falseRate()) * Math.pow(1 - evidence.hitRate(), there);
-          boolean isThere = evidence.person().equals(Optional.of("Dave")) ? dave == zone : rose == zone;
+          double silent = (1 - evidence.falseRate()) * Math.pow(1 - evidence.hitRate(), there);
+          boolean isThere =
+              evidence.person().equals(Optional.of("Dave")) ? dave == zone : rose == zone;
           joint[dave][rose][guest] *=
               evidence.person().isPresent()
                   ? isThere ? evidence.likelihoodWhereSo() : evidence.likelihoodElsewhere()

@@ -97,9 +97,7 @@ final class KnowCommand implements Callable<Integer> {
   private static String truth(JsonNode answer) {
     double confidence = answer.path("confidence").asDouble(1);
     String truth = JsonRows.text(answer, "truth");
-    return confidence < 1
-        ? String.format(Locale.ROOT, "%s (%.2f)", truth, confidence)
-        : truth;
+    return confidence < 1 ? String.format(Locale.ROOT, "%s (%.2f)", truth, confidence) : truth;
   }
 
   private static List<String> row(JsonNode answer) {

@@ -22,11 +22,14 @@ final class Evenings {
   private static final double SHORTEST_STAY_SECONDS = 30;
   private static final int STAYS = 40;
 
+  /** What has more is passed through. */
+  private static final int MOST_DOORS = 2;
+
   private final FloorWays ways;
   private final Scene scene;
   private final List<String> persons;
 
-  /** Rooms in which one stays: those with other rooms around them are passed through. */
+  /** Those in which one stays. */
   private final List<String> rooms;
 
   /**
@@ -36,7 +39,12 @@ final class Evenings {
     this.ways = ways;
     this.scene = scene;
     this.persons = List.copyOf(persons);
-    this.rooms = ways.zones().stream().filter(zone -> ways.doorsOf(zone) < 3).toList();
+    this.rooms = ways.zones().stream().filter(zone -> ways.doorsOf(zone) <= MOST_DOORS).toList();
+  }
+
+  /** Whether one stays there. */
+  boolean isRoom(String zone) {
+    return rooms.contains(zone);
   }
 
   /** The evening of that seed; what is usual is the same on all of them. */
@@ -85,7 +93,6 @@ final class Evenings {
   }
 
   private static double stay(Random random) {
-    return Math.max(
-        SHORTEST_STAY_SECONDS, -MEAN_STAY_SECONDS * Math.log(1 - random.nextDouble()));
+    return Math.max(SHORTEST_STAY_SECONDS, -MEAN_STAY_SECONDS * Math.log(1 - random.nextDouble()));
   }
 }

@@ -49,8 +49,7 @@ final class FloorWays {
   }
 
   private static Point2 point(Individual one, String property) {
-    double[] numbers =
-        Pose.numbers(((Term.Text) one.properties().get(property).get(0)).value());
+    double[] numbers = Pose.numbers(((Term.Text) one.properties().get(property).get(0)).value());
     return new Point2(numbers[0], numbers[1]);
   }
 
@@ -67,7 +66,9 @@ final class FloorWays {
     return Optional.ofNullable(middles.get(zone)).orElseThrow();
   }
 
-  /** Corners from the middle of one zone to that of another, by the fewest doors; without the first. */
+  /**
+   * Corners from the middle of one zone to that of another, by the fewest doors; without the first.
+   */
   List<Point2> way(String from, String to) {
     Map<String, String> cameFrom = new LinkedHashMap<>(Map.of(from, from));
     Deque<String> open = new ArrayDeque<>(List.of(from));

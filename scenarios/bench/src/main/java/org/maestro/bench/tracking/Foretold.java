@@ -7,58 +7,67 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** What was foretold of where persons go next, and what they did. For one thread. */
+/**
+ * What was foretold of where persons go next, and what they did: it was right if she comes there
+ * within a minute. For one thread.
+ */
 final class Foretold {
+  private static final Duration IN_TIME = Duration.ofMinutes(1);
+
   private final Map<String, Open> open = new TreeMap<>();
   private final Map<String, String> lastZone = new TreeMap<>();
   private final Calibration calibration = new Calibration();
   private final List<Double> leadSeconds = new ArrayList<>();
   private int moves;
   private int told;
-  private int right;
 
   /** A prediction of which nobody knows yet whether it comes true. */
-  private record Open(String from, String to, double confidence, Duration at) {}
+  private record Open(String to, double confidence, Duration at) {}
+
+  /** Another evening begins: what is open is left out. */
+  void begin() {
+    told -= open.size();
+    open.clear();
+    lastZone.clear();
+  }
 
   /**
    * How it is now.
    *
    * @param zone where the person truly is
-   * @param heading where she is told to be heading, and how surely
+   * @param isRoom whether it is one to stay in
+   * @param heading where she is told to be heading
+   * @param confidence how surely she is
    */
   void note(
       String person,
       String zone,
+      boolean isRoom,
       Optional<String> heading,
       double confidence,
-      Duration now,
-      boolean isRoom) {
+      Duration now) {
     String before = lastZone.put(person, zone);
-    boolean moved = before != null && !before.equals(zone);
-    if (moved && isRoom) {
+    if (before != null && !before.equals(zone) && isRoom) {
       moves++;
     }
     Optional<Open> former = Optional.ofNullable(open.get(person));
-    if (moved && former.isPresent() && !former.get().from().equals(zone)) {
-      over(person, former.get(), zone, now);
-    }
-    Optional<Open> left = Optional.ofNullable(open.get(person));
-    if (left.isPresent() && heading.isEmpty()) {
-      over(person, left.get(), "", now);
-    } else if (left.isEmpty() && heading.isPresent() && !heading.get().equals(zone)) {
-      open.put(person, new Open(zone, heading.get(), confidence, now));
+    if (former.isPresent()) {
+      judge(person, former.get(), zone, now);
+    } else if (heading.isPresent() && !heading.get().equals(zone)) {
+      open.put(person, new Open(heading.get(), confidence, now));
       told++;
     }
   }
 
-  private void over(String person, Open prediction, String zone, Duration now) {
-    open.remove(person);
+  private void judge(String person, Open prediction, String zone, Duration now) {
     boolean isSo = prediction.to().equals(zone);
-    calibration.add(prediction.confidence(), isSo);
+    Duration passed = now.minus(prediction.at());
+    if (isSo || passed.compareTo(IN_TIME) > 0) {
+      open.remove(person);
+      calibration.add(prediction.confidence(), isSo);
+    }
     if (isSo) {
-      right++;
-      Duration lead = now.minus(prediction.at());
-      leadSeconds.add(lead.toMillis() / 1_000.0);
+      leadSeconds.add(passed.toMillis() / 1_000.0);
     }
   }
 
@@ -71,12 +80,12 @@ final class Foretold {
     return told;
   }
 
-  int right() {
-    return right;
-  }
-
   /** How long before the arrival it was told, of those that came true; seconds. */
   List<Double> leadSeconds() {
     return List.copyOf(leadSeconds);
+  }
+
+  Calibration calibration() {
+    return calibration;
   }
 }

@@ -351,8 +351,7 @@ public final class HomeInterlocutor implements Interlocutor {
   private CompletableFuture<JsonNode> likely(String asked, Optional<String> reader) {
     Home home = around.home().get();
     Formula formula = SlParser.formula(asked, home.vocabulary()::isFluent);
-    Optional<Formula> supposed =
-        home.tracking().flatMap(tracking -> tracking.supposed(formula));
+    Optional<Formula> supposed = home.tracking().flatMap(tracking -> tracking.supposed(formula));
     return questions
         .know(asked, reader)
         .thenCompose(

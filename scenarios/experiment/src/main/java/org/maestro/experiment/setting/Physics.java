@@ -20,8 +20,8 @@ public final class Physics {
 
   /**
    * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
-   * doors, lamps behind switches, sensors of persons, charging stations. And the shades of white, of
-   * which light and detection do not depend and for which no goal of an experiment asks.
+   * doors, lamps behind switches, sensors of persons, charging stations. And the shades of white,
+   * of which light and detection do not depend and for which no goal of an experiment asks.
    */
   private static final List<String> ABSENT =
       List.of(
