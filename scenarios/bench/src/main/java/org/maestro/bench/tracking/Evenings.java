@@ -59,7 +59,7 @@ final class Evenings {
       made = made.with(person, scene.of(person).at(new Position(begun.x(), begun.y(), 0)));
       List<Stop> stops = new ArrayList<>(List.of(new Stop(begun, stay(random))));
       for (int i = 0; i < STAYS; i++) {
-        String next = random.nextDouble() < USUAL ? usual.get(room) : any(random);
+        String next = random.nextDouble() < USUAL ? usual.getOrDefault(room, room) : any(random);
         if (!next.equals(room)) {
           List<Point2> corners = ways.way(room, next);
           corners.subList(0, corners.size() - 1).forEach(c -> stops.add(new Stop(c, 0)));

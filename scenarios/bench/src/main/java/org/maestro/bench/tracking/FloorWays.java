@@ -49,7 +49,8 @@ final class FloorWays {
   }
 
   private static Point2 point(Individual one, String property) {
-    double[] numbers = Pose.numbers(((Term.Text) one.properties().get(property).get(0)).value());
+    List<Term> stated = one.properties().getOrDefault(property, List.of());
+    double[] numbers = Pose.numbers(((Term.Text) stated.get(0)).value());
     return new Point2(numbers[0], numbers[1]);
   }
 
@@ -82,9 +83,13 @@ final class FloorWays {
     }
     List<Point2> corners = new ArrayList<>(List.of(middle(to)));
     for (String zone = to; !zone.equals(from); zone = step(cameFrom, zone)) {
-      corners.add(0, doors.get(step(cameFrom, zone)).get(zone));
+      corners.add(0, door(step(cameFrom, zone), zone));
     }
     return corners;
+  }
+
+  private Point2 door(String from, String to) {
+    return Optional.ofNullable(doors.getOrDefault(from, Map.of()).get(to)).orElseThrow();
   }
 
   private static String step(Map<String, String> cameFrom, String zone) {
