@@ -15,6 +15,7 @@ import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.Settings;
 import org.maestro.hal.ShutterDrive;
@@ -45,6 +46,16 @@ final class SelfReport implements MemberProfile.Values {
   public List<String> current() {
     List<String> facts = new ArrayList<>();
     words().forEach((word, value) -> reports.statement(word, value).ifPresent(facts::add));
+    drivers
+        .find(PersonRecognition.class)
+        .ifPresent(
+            sensor ->
+                new TreeMap<>(sensor.persons())
+                    .forEach(
+                        (person, so) ->
+                            reports
+                                .statement("person", new Term.Name(person), so)
+                                .ifPresent(facts::add)));
     return facts;
   }
 

@@ -10,6 +10,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.maestro.device.DeviceMember;
 import org.maestro.device.Nameplate;
 import org.maestro.hal.Camera;
@@ -18,6 +19,7 @@ import org.maestro.hal.Photo;
 import org.maestro.hal.ShutterDrive;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.Windows;
 import org.maestro.rats.member.CallPolicy;
 import org.maestro.rats.time.Clock;
@@ -40,6 +42,9 @@ import org.maestro.sim.world.World;
  * the bus without goodbye; one that is revived joins it anew. Any thread may call it.
  */
 public final class SimulatedHome implements AutoCloseable {
+
+  private static final String LISTENER = "Listener";
+  private static final String ROOM = "Room";
 
   private final Setup setup;
   private final World world;
@@ -238,7 +243,12 @@ public final class SimulatedHome implements AutoCloseable {
   private Map<String, Drivers> furnished() {
     DriverFactory factory =
         new DriverFactory(
-            world, setup.scene(), setup.clock(), setup.parameters(), new Windows(setup.home()));
+            world,
+            setup.scene(),
+            setup.clock(),
+            setup.parameters(),
+            new Windows(setup.home()),
+            persons());
     Map<String, Drivers> all = new LinkedHashMap<>();
     Random seeds = new Random(setup.seed());
     for (Device device : inDeclaredOrder(setup.home())) {
@@ -251,6 +261,14 @@ public final class SimulatedHome implements AutoCloseable {
           .ifPresent(drivers -> all.put(device.id(), drivers));
     }
     return all;
+  }
+
+  /** Who hears what is said and is no room. */
+  private Set<String> persons() {
+    return setup.home().individuals().values().stream()
+        .filter(one -> one.classes().contains(LISTENER) && !one.classes().contains(ROOM))
+        .map(Individual::name)
+        .collect(Collectors.toUnmodifiableSet());
   }
 
   private Map<String, DeviceMember> described() {

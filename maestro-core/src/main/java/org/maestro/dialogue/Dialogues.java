@@ -1,8 +1,11 @@
 package org.maestro.dialogue;
 
 import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
@@ -18,6 +21,7 @@ public final class Dialogues {
   private final Supplier<Instant> now;
   private final Map<String, SpokenWords> spokenByPerson = new TreeMap<>();
   private final AskedQuestions asked = new AskedQuestions();
+  private final List<Consumer<Utterance>> listeners = new CopyOnWriteArrayList<>();
 
   /**
    * Nobody has said anything yet.
@@ -38,7 +42,19 @@ public final class Dialogues {
    * @param person one of the home: for each other a conversation would be kept, too
    */
   public synchronized SpokenWords with(String person) {
-    return spokenByPerson.computeIfAbsent(person, name -> new SpokenWords(home, facts, now));
+    return spokenByPerson.computeIfAbsent(
+        person,
+        name ->
+            new SpokenWords(
+                home, facts, now, said -> listeners.forEach(listener -> listener.accept(said))));
+  }
+
+  /**
+   * Is told of everything that is said to the end, on whichever thread it is read; not to be held
+   * up.
+   */
+  public void listen(Consumer<Utterance> listener) {
+    listeners.add(listener);
   }
 
   /**

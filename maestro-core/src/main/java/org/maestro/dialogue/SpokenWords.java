@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.maestro.language.Language;
@@ -48,6 +49,7 @@ public final class SpokenWords {
   private final Supplier<Home> home;
   private final Supplier<? extends Facts> facts;
   private final Supplier<Instant> now;
+  private final Consumer<Utterance> listener;
   private Optional<Spoken> spoken = Optional.empty();
   private Discourse discourse = Discourse.NONE;
   private Optional<Utterance> latest = Optional.empty();
@@ -89,11 +91,17 @@ public final class SpokenWords {
    * @param home as it is known at the time
    * @param facts what is known at the time
    * @param now the time that clocks on the walls show
+   * @param listener is told of what is said to the end
    */
-  SpokenWords(Supplier<Home> home, Supplier<? extends Facts> facts, Supplier<Instant> now) {
+  SpokenWords(
+      Supplier<Home> home,
+      Supplier<? extends Facts> facts,
+      Supplier<Instant> now,
+      Consumer<Utterance> listener) {
     this.home = home;
     this.facts = facts;
     this.now = now;
+    this.listener = listener;
   }
 
   /**
@@ -150,6 +158,7 @@ public final class SpokenWords {
 
   /** What is meant. */
   public synchronized Hearing read(Utterance utterance) {
+    listener.accept(utterance);
     Home there = home.get();
     boolean isAsked = discourse.asked().isPresent();
     latest = Optional.of(utterance);

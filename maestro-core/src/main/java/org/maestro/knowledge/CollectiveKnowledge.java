@@ -31,6 +31,7 @@ import org.maestro.knowledge.belief.Ageing;
 import org.maestro.knowledge.belief.Beginning;
 import org.maestro.knowledge.belief.Cell;
 import org.maestro.knowledge.belief.Cells;
+import org.maestro.knowledge.belief.Conclusions;
 import org.maestro.knowledge.belief.Confidence;
 import org.maestro.knowledge.belief.Draft;
 import org.maestro.knowledge.belief.FactReader;
@@ -87,6 +88,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Optional<HistoryFile> file;
   private final WritingAside aside;
   private final Statements statements = new Statements();
+  private final Conclusions conclusions = new Conclusions();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
   private final Ageing ageing;
@@ -249,6 +251,17 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           tellOf(source.agent(), before);
           return change;
         });
+  }
+
+  @Override
+  public void believe(Source source, Map<String, Double> sureness) {
+    Map<Fact, Double> read = new LinkedHashMap<>();
+    sureness.forEach((text, sure) -> read.put(FactReader.read(text, source.agent()), sure));
+    guarded(
+        () ->
+            write(
+                new Voice(source, 1),
+                (draft, positions) -> conclusions.take(source, read, draft, positions)));
   }
 
   @Override

@@ -15,6 +15,7 @@ import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.DeskAgent;
 import org.maestro.agents.GroupAgent;
 import org.maestro.agents.KnowledgeAgent;
+import org.maestro.agents.PersonTrackerAgent;
 import org.maestro.agents.SupervisorAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.device.Surroundings;
@@ -35,6 +36,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.habits.HabitFile;
 import org.maestro.knowledge.habits.HabitLog;
 import org.maestro.ontology.home.Group;
+import org.maestro.persons.HeardVoices;
 import org.maestro.platform.jade.MainContainer;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Premises;
@@ -63,6 +65,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final MemberAgents agents;
   private final PlatformTables tables;
   private final SupervisorAgent supervisor;
+  private final Optional<TrackerInService> tracker;
 
   private MaestroPlatform(
       PlatformSettings settings,
@@ -79,6 +82,8 @@ public final class MaestroPlatform implements AutoCloseable {
     this.time = AgentTime.of(clock, settings.patience());
     this.mind = new ReasoningServices(knowledge, services.planner(), settings.decisionTime());
     this.dialogues = new Dialogues(knowledge::home, knowledge::snapshot, clock::instant);
+    HeardVoices voices = new HeardVoices(knowledge);
+    dialogues.listen(said -> voices.heard(said.person(), said.room()));
     this.central =
         new CentralAgent(
             past.ofCentre(),
@@ -121,6 +126,22 @@ public final class MaestroPlatform implements AutoCloseable {
                 services.describedBy(),
                 () -> knowledge.home().words(),
                 this::reviveCoordinator));
+    this.tracker =
+        knowledge
+            .home()
+            .tracking()
+            .map(
+                tracking ->
+                    new TrackerInService(tracking.agent(), clock, this::tracker, main::start));
+  }
+
+  private PersonTrackerAgent tracker(String name) {
+    HabitLog log =
+        settings
+            .dataDirectory()
+            .<HabitLog>map(directory -> new HabitFile(directory, "passages.log"))
+            .orElse(HabitLog.NONE);
+    return new PersonTrackerAgent(time, services.knowledge(), name, log);
   }
 
   private SupervisorOrders orders() {
@@ -170,6 +191,11 @@ public final class MaestroPlatform implements AutoCloseable {
       lives.listen(agent);
       agents.begin(group, agent);
     }
+    tracker.ifPresent(
+        one -> {
+          lives.listen(one);
+          one.begin();
+        });
     services
         .link()
         .watch(
@@ -350,6 +376,7 @@ public final class MaestroPlatform implements AutoCloseable {
 
   @Override
   public void close() {
+    tracker.ifPresent(TrackerInService::end);
     lives.end();
     agents.closeHosts();
     // First, so that what only ends here is not taken for ended for good.

@@ -52,6 +52,15 @@ public final class FactTemplates {
             });
   }
 
+  /** The plain fact that the word means of this value, or its negation. */
+  public Optional<String> statement(String word, Term value, boolean so) {
+    return Optional.ofNullable(templates.get(word))
+        .filter(Fact.Holds.class::isInstance)
+        .map(template -> ((Fact.Holds) template).atom())
+        .map(atom -> so ? new Fact.Holds(atom) : new Fact.Excluded(atom))
+        .map(fact -> SlPrinter.print(filled(fact, Map.of(word, value))));
+  }
+
   private Fact filled(Fact template, Map<String, Term> values) {
     Map<String, Term> all = new TreeMap<>(values);
     all.put(Self.NAME, self);

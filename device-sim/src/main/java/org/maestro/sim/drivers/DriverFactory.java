@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.maestro.hal.Area;
@@ -20,6 +21,7 @@ import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.hal.Settings;
@@ -45,6 +47,7 @@ import org.maestro.sim.parameters.BaseData;
 import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.parameters.GripperData;
 import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.parameters.RecognitionData;
 import org.maestro.sim.parameters.WheelData;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneSky;
@@ -75,15 +78,25 @@ public final class DriverFactory {
   private final PhysicalParameters parameters;
   private final Windows windows;
   private final Set<String> robots = new TreeSet<>();
+  private final SortedSet<String> persons;
   private final Photographer photographer;
 
+  /**
+   * @param persons whom sensors that tell persons apart know
+   */
   public DriverFactory(
-      World world, Scene scene, Clock clock, PhysicalParameters parameters, Windows windows) {
+      World world,
+      Scene scene,
+      Clock clock,
+      PhysicalParameters parameters,
+      Windows windows,
+      Set<String> persons) {
     this.world = world;
     this.scene = scene;
     this.clock = clock;
     this.parameters = parameters;
     this.windows = windows;
+    this.persons = new TreeSet<>(persons);
     this.photographer = new Photographer(world, robots, parameters);
   }
 
@@ -127,6 +140,8 @@ public final class DriverFactory {
                   PresenceSensor.class,
                   SimulatedPresenceSensor.start(
                       actuator, parameters.presence(), area(device), robots));
+      case "recognising-camera" -> recognition(device, actuator, parameters.recognition(), true);
+      case "phone-receiver" -> recognition(device, actuator, parameters.phone(), false);
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
       case "stocked-appliance" ->
@@ -161,7 +176,7 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, door, appliance, stocked-appliance,"
+                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver, door, appliance, stocked-appliance,"
                   + " clock, shutter, mobile-robot, mobile-robot-with-camera,"
                   + " mobile-robot-with-fingers, mecanum-robot, differential-robot, exploring-robot,"
                   + " signal-field.");
@@ -383,6 +398,20 @@ public final class DriverFactory {
     MobileBase moving = chassis.on(actuator, base);
     return (moving instanceof Steering front ? fitted.with(Steering.class, front) : fitted)
         .with(MobileBase.class, moving);
+  }
+
+  private Drivers recognition(
+      Device device, Actuator actuator, RecognitionData data, boolean needsLight) {
+    Area area = area(device);
+    return Drivers.none()
+        .with(
+            PersonRecognition.class,
+            SimulatedRecognition.start(
+                actuator,
+                data,
+                area,
+                persons,
+                () -> !needsLight || world.lux(area.name()) >= parameters.camera().minimumLux()));
   }
 
   private Area area(Device device) {

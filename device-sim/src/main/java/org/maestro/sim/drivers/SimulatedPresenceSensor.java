@@ -5,7 +5,6 @@ import org.maestro.hal.Area;
 import org.maestro.hal.PresenceSensor;
 import org.maestro.sim.parameters.PresenceData;
 import org.maestro.sim.scene.WorldEvent;
-import org.maestro.sim.world.Body;
 
 /** A sensor of persons in an area: it looks by itself, and tells when that has changed. */
 final class SimulatedPresenceSensor implements PresenceSensor {
@@ -13,6 +12,7 @@ final class SimulatedPresenceSensor implements PresenceSensor {
   private final PresenceData data;
   private final Area area;
   private final Set<String> robots;
+  private final LastingErrors errors;
   private boolean told;
 
   private SimulatedPresenceSensor(
@@ -21,6 +21,8 @@ final class SimulatedPresenceSensor implements PresenceSensor {
     this.data = data;
     this.area = area;
     this.robots = robots;
+    this.errors =
+        new LastingErrors(actuator, data.missShare(), data.falseShare(), data.errorSeconds());
   }
 
   /**
@@ -41,24 +43,34 @@ final class SimulatedPresenceSensor implements PresenceSensor {
   }
 
   private void look() {
-    if (actuator.world().isAlive(actuator.device()) && looked() != told) {
-      told = !told;
+    boolean now = looked();
+    if (actuator.world().isAlive(actuator.device()) && now != told) {
+      told = now;
       actuator.tell(WorldEvent.Kind.MEASURED);
     }
     goOn();
   }
 
   private boolean looked() {
+    return errors.noticed("", isSomebodyHere());
+  }
+
+  private boolean isSomebodyHere() {
     return actuator.world().bodies().stream()
         .filter(name -> !robots.contains(name))
-        .flatMap(name -> actuator.world().whereabouts().find(name).stream())
         .anyMatch(this::isPersonHere);
   }
 
-  private boolean isPersonHere(Body body) {
-    return body.isInTheOpen()
-        && body.radius() >= data.leastRadius()
-        && area.outline().contains(body.position().floor());
+  /** Who walks is where she is now, not where she set out. */
+  private boolean isPersonHere(String name) {
+    return actuator
+        .world()
+        .whereabouts()
+        .find(name)
+        .filter(body -> body.isInTheOpen() && body.radius() >= data.leastRadius())
+        .flatMap(body -> actuator.world().position(name))
+        .filter(place -> area.outline().contains(place.floor()))
+        .isPresent();
   }
 
   @Override

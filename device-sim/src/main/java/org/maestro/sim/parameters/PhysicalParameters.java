@@ -18,6 +18,8 @@ public record PhysicalParameters(
     SensorData sensor,
     FacadeData facade,
     PresenceData presence,
+    RecognitionData recognition,
+    RecognitionData phone,
     LampData lamp,
     BaseData base,
     WheelData wheels,
@@ -37,6 +39,8 @@ public record PhysicalParameters(
         SensorData.TSL2561,
         FacadeData.USUAL,
         PresenceData.USUAL,
+        RecognitionData.OF_FACES,
+        RecognitionData.OF_PHONES,
         LampData.HUE,
         BaseData.YOUBOT,
         WheelData.YOUBOT,
@@ -49,31 +53,102 @@ public record PhysicalParameters(
 
   public PhysicalParameters with(CameraData other) {
     return new PhysicalParameters(
-        shutters, other, colour, image, turn, sensor, facade, presence, lamp, base, wheels, arm,
-        gripper, battery, drives, signal);
+        shutters,
+        other,
+        colour,
+        image,
+        turn,
+        sensor,
+        facade,
+        presence,
+        recognition,
+        phone,
+        lamp,
+        base,
+        wheels,
+        arm,
+        gripper,
+        battery,
+        drives,
+        signal);
   }
 
   public PhysicalParameters with(SensorData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, other, facade, presence, lamp, base, wheels, arm,
-        gripper, battery, drives, signal);
+        shutters,
+        camera,
+        colour,
+        image,
+        turn,
+        other,
+        facade,
+        presence,
+        recognition,
+        phone,
+        lamp,
+        base,
+        wheels,
+        arm,
+        gripper,
+        battery,
+        drives,
+        signal);
   }
 
   public PhysicalParameters with(BaseData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, presence, lamp, other, wheels, arm,
-        gripper, battery, drives, signal);
+        shutters,
+        camera,
+        colour,
+        image,
+        turn,
+        sensor,
+        facade,
+        presence,
+        recognition,
+        phone,
+        lamp,
+        other,
+        wheels,
+        arm,
+        gripper,
+        battery,
+        drives,
+        signal);
   }
 
   public PhysicalParameters with(ArmData other) {
     return new PhysicalParameters(
-        shutters, camera, colour, image, turn, sensor, facade, presence, lamp, base, wheels, other,
-        gripper, battery, drives, signal);
+        shutters,
+        camera,
+        colour,
+        image,
+        turn,
+        sensor,
+        facade,
+        presence,
+        recognition,
+        phone,
+        lamp,
+        base,
+        wheels,
+        other,
+        gripper,
+        battery,
+        drives,
+        signal);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */
   public PhysicalParameters with(Map<String, String> settings) {
     return PhysicalSettings.apply(this, settings);
+  }
+
+  /** The same of what is a share. */
+  static void share(String name, double value) {
+    if (!(value >= 0 && value <= 1)) {
+      throw new SimulationException("The setting world.%s lies between 0 and 1.".formatted(name));
+    }
   }
 
   /** A record that is made by name says what is wrong with a value. */

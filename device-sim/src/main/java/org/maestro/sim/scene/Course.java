@@ -4,7 +4,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.maestro.ontology.floor.Point2;
 
 /**
  * The events of a scene that happen of their own accord. Immutable.
@@ -12,7 +11,7 @@ import org.maestro.ontology.floor.Point2;
  * @param faults by the thing, zone or device to which they happen; the empty name is the home
  * @param walks corners of the rounds that persons walk, by name
  */
-public record Course(Map<String, List<ScriptedFault>> faults, Map<String, List<Point2>> walks) {
+public record Course(Map<String, List<ScriptedFault>> faults, Map<String, List<Stop>> walks) {
 
   public static final Course NOTHING = new Course(Map.of(), Map.of());
 

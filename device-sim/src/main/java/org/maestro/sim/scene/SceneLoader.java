@@ -15,7 +15,6 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.hal.Position;
-import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.validation.Fault;
@@ -105,7 +104,7 @@ public final class SceneLoader {
     Map<String, Map<String, String>> words = new TreeMap<>();
     text.words().forEach((thing, said) -> words.put(thing, new TreeMap<>(said)));
     Map<String, List<ScriptedFault>> faults = new TreeMap<>();
-    Map<String, List<Point2>> walks = new TreeMap<>();
+    Map<String, List<Stop>> walks = new TreeMap<>();
     words.forEach((thing, said) -> attempt(() -> course(thing, said, faults, walks)));
     List<SceneSky> sky = new ArrayList<>();
     Optional.ofNullable(words.remove(SceneText.HOME))
@@ -160,7 +159,7 @@ public final class SceneLoader {
       String thing,
       Map<String, String> said,
       Map<String, List<ScriptedFault>> faults,
-      Map<String, List<Point2>> walks) {
+      Map<String, List<Stop>> walks) {
     String scripted = said.remove("fault");
     String walk = said.remove("walks");
     try {
@@ -187,10 +186,8 @@ public final class SceneLoader {
     }
   }
 
-  private static List<Point2> corners(String walk) {
-    return Arrays.stream(walk.split(","))
-        .map(corner -> Pose.parse(corner.strip() + " 0").floor())
-        .toList();
+  private static List<Stop> corners(String walk) {
+    return Arrays.stream(walk.split(",")).map(Stop::parse).toList();
   }
 
   private Scene.Entry entry(String thing, Map<String, String> said) {

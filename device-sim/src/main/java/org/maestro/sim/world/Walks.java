@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.time.Clock;
+import org.maestro.sim.scene.Stop;
 import org.maestro.sim.scene.WorldEvent;
 
 /**
@@ -27,13 +28,27 @@ public final class Walks {
   }
 
   /** From where the person is, corner by corner, for ever. */
-  public void start(String person, List<Point2> corners) {
+  public void start(String person, List<Stop> corners) {
     walk(person, corners, 0);
   }
 
   /** From where the person is straight to a place, and no farther. */
   public void go(String person, Point2 to) {
     walk(person, to, () -> {});
+  }
+
+  private void walk(String person, List<Stop> corners, int next) {
+    walk(person, corners.get(next).place(), () -> stay(person, corners, next));
+  }
+
+  private void stay(String person, List<Stop> corners, int at) {
+    double seconds = corners.get(at).seconds();
+    Runnable goOn = () -> walk(person, corners, (at + 1) % corners.size());
+    if (seconds > 0) {
+      later(person, seconds, goOn);
+    } else {
+      goOn.run();
+    }
   }
 
   private void later(String person, double seconds, Runnable then) {
@@ -45,10 +60,6 @@ public final class Walks {
             then.run();
           }
         });
-  }
-
-  private void walk(String person, List<Point2> corners, int next) {
-    walk(person, corners.get(next), () -> walk(person, corners, (next + 1) % corners.size()));
   }
 
   private void walk(String person, Point2 to, Runnable then) {

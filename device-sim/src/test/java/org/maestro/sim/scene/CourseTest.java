@@ -127,10 +127,25 @@ class CourseTest {
     }
   }
 
+  @Test
+  void whoWalksMayStayAtACorner() {
+    try (Homes homes =
+        during(
+            "<#Bob> scene:position \"1 2.35 0\" ; scene:radius 0.25 ; scene:walks \"3 2.35 10, 1"
+                + " 2.35\" .")) {
+      homes.clock.run(Duration.ofSeconds(12));
+      assertThat(homes.world().position("Bob").orElseThrow().floor().distance(new Point2(3, 2.35)))
+          .isLessThan(0.05);
+      homes.clock.run(Duration.ofMillis(2500));
+      assertThat(homes.world().position("Bob").orElseThrow().x()).isLessThan(2);
+    }
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
+        "<#Bob> scene:position \"1 1 0\" ; scene:walks \"1 1 -5\" . | Nobody stays for -5 seconds",
         "<#lamp-b1> scene:fault \"die\" . | write when and what",
         "<#lamp-b1> scene:fault \"at 5 explode\" . | known are ambient, block, break",
         "<#lamp-b1> scene:fault \"at 5 lie\" . | takes 1 numbers, not 0",

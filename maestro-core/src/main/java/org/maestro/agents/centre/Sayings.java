@@ -238,12 +238,25 @@ public final class Sayings {
       return;
     }
     Question question = new Question(knowledge.snapshot(), rights);
-    List<Answer> bound = question.answerRef(formula);
+    List<Answer> bound = likely(question, formula, rights);
     List<Answer> answers = bound.isEmpty() ? List.of(question.answerIf(formula)) : bound;
     agent.reply(
         said.message(),
         ACLMessage.INFORM,
         SayWords.replied(means, sentence.apply(answers.stream().map(Sayings::found).toList())));
+  }
+
+  /** The answers that are known; where more are only likely, these. */
+  private List<Answer> likely(Question question, Formula formula, ReadingRights rights) {
+    List<Answer> known = question.answerRef(formula);
+    return knowledge
+        .home()
+        .tracking()
+        .flatMap(tracking -> tracking.supposed(formula))
+        .filter(supposed -> rights.objection(supposed).isEmpty())
+        .map(question::answerRef)
+        .filter(likely -> likely.size() > known.size())
+        .orElse(known);
   }
 
   private static AnswerWords.Found found(Answer answer) {
@@ -259,6 +272,7 @@ public final class Sayings {
         answer
             .age()
             .map(age -> OptionalDouble.of((double) age.toMillis() / MILLIS_PER_SECOND))
-            .orElse(OptionalDouble.empty()));
+            .orElse(OptionalDouble.empty()),
+        answer.confidence());
   }
 }

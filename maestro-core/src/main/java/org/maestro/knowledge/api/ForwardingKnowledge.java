@@ -1,6 +1,7 @@
 package org.maestro.knowledge.api;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
@@ -36,6 +37,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   @Override
   public void state(String member, MemberWord word) {
     knowledge.state(member, word);
+  }
+
+  @Override
+  public void believe(Source source, Map<String, Double> sureness) {
+    knowledge.believe(source, sureness);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.maestro.knowledge.api;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -28,6 +29,15 @@ public interface KnowledgeBase extends AutoCloseable {
    * it is.
    */
   void state(String member, MemberWord word);
+
+  /**
+   * What the source concludes, all that it believes now, each fact as surely as it says. What it
+   * believed before and leaves out is not known on its word any more; what others are surer of
+   * stands.
+   *
+   * @param sureness 0 to 1, by ground fact
+   */
+  void believe(Source source, Map<String, Double> sureness);
 
   /**
    * Writes what the result teaches: {@code learns}, or the effect, or {@code error.refs}. Returns

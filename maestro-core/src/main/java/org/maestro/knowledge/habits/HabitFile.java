@@ -23,7 +23,16 @@ public final class HabitFile implements HabitLog {
    * @param directory in which it is, or will be, as {@code habits.log}
    */
   public HabitFile(Path directory) {
-    this.file = directory.resolve("habits.log");
+    this(directory, "habits.log");
+  }
+
+  /**
+   * The same for what somebody else counts.
+   *
+   * @param name of the file in the directory
+   */
+  public HabitFile(Path directory, String name) {
+    this.file = directory.resolve(name);
   }
 
   @Override

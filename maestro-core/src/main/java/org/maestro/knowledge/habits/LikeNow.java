@@ -6,7 +6,7 @@ import java.time.LocalTime;
 import java.time.ZonedDateTime;
 
 /** Which times are like another: about the same time of day, both at the weekend or neither. */
-final class LikeNow {
+public final class LikeNow {
   private static final Duration DAY = Duration.ofDays(1);
 
   private LikeNow() {}
@@ -14,7 +14,7 @@ final class LikeNow {
   /**
    * @param about how far apart the times of day may be
    */
-  static boolean are(ZonedDateTime then, ZonedDateTime now, Duration about) {
+  public static boolean are(ZonedDateTime then, ZonedDateTime now, Duration about) {
     return isWeekend(then) == isWeekend(now)
         && apart(then.toLocalTime(), now.toLocalTime()).compareTo(about) <= 0;
   }

@@ -17,6 +17,9 @@ public final class AnswerWords {
   private static final double LONG_AGO_SECONDS = 60;
   private static final double MILLIS = 1000;
 
+  /** What is less sure than that is told as likely. */
+  private static final double SURE = 0.95;
+
   private final Grammar grammar;
   private final Naming naming;
   private final Phrases phrases;
@@ -36,8 +39,15 @@ public final class AnswerWords {
    *
    * @param binding what stands for the variables that were asked for: names, numbers, texts
    * @param ageSeconds how long ago it was known
+   * @param confidence how surely it is known, 0 to 1
    */
-  public record Found(Truth truth, Map<String, String> binding, OptionalDouble ageSeconds) {
+  public record Found(
+      Truth truth, Map<String, String> binding, OptionalDouble ageSeconds, double confidence) {
+
+    /** What is known for sure. */
+    public Found(Truth truth, Map<String, String> binding, OptionalDouble ageSeconds) {
+      this(truth, binding, ageSeconds, 1);
+    }
 
     /**
      * The same, where only what was seen grows old: what a device tells of itself is so until it
@@ -46,9 +56,20 @@ public final class AnswerWords {
      * @param kind in which way the oldest of what it rests on is known, in small letters
      */
     public static Found of(
-        Truth truth, Map<String, String> binding, String kind, OptionalDouble ageSeconds) {
+        Truth truth,
+        Map<String, String> binding,
+        String kind,
+        OptionalDouble ageSeconds,
+        double confidence) {
       return new Found(
-          truth, binding, kind.equals("observed") ? ageSeconds : OptionalDouble.empty());
+          truth,
+          binding,
+          kind.equals("observed") ? ageSeconds : OptionalDouble.empty(),
+          confidence);
+    }
+
+    private boolean isOnlyLikely() {
+      return confidence < SURE;
     }
   }
 
@@ -71,7 +92,9 @@ public final class AnswerWords {
       return sentence(values, bound.size() - MOST) + ago(bound);
     }
     if (!certain.isEmpty()) {
-      return grammar.phrase("answer-yes") + ago(certain);
+      return grammar.phrase(
+              certain.stream().allMatch(Found::isOnlyLikely) ? "answer-likely-yes" : "answer-yes")
+          + ago(certain);
     }
     return isUnknown(answers)
         ? grammar.phrase("answer-unknown")
@@ -105,9 +128,15 @@ public final class AnswerWords {
   }
 
   private String values(Found answer, Optional<String> fluent) {
-    return answer.binding().values().stream()
-        .map(text -> value(text, fluent))
-        .collect(Collectors.joining(": "));
+    List<String> values =
+        answer.binding().values().stream()
+            .map(text -> value(text, fluent))
+            .collect(Collectors.toCollection(ArrayList::new));
+    if (answer.isOnlyLikely()) {
+      int last = values.size() - 1;
+      values.set(last, phrases.of("answer-likely", Map.of("value", values.get(last))));
+    }
+    return String.join(": ", values);
   }
 
   private String value(String text, Optional<String> fluent) {

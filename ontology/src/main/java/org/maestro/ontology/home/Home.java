@@ -21,6 +21,7 @@ import org.maestro.ontology.wording.Wording;
  * @param words what its file adds to the vocabulary that is shipped, as Turtle; empty when it adds
  *     nothing
  * @param file its file's name, such as {@code bob.ttl}; empty: it was not read from one
+ * @param tracking how its persons are followed; empty: they are not
  */
 public record Home(
     String iri,
@@ -34,7 +35,8 @@ public record Home(
     Optional<ZoneId> timeZone,
     Wording wording,
     String words,
-    Optional<String> file) {
+    Optional<String> file,
+    Optional<PersonTracking> tracking) {
   public Home {
     individuals = Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(individuals)));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
@@ -57,7 +59,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** The same home with these devices; the others are things of it only. */
@@ -74,7 +77,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** The same home, whose clocks show the time of that zone. */
@@ -91,7 +95,8 @@ public record Home(
         Optional.of(zone),
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /** A home without scripts and words of its own. */
@@ -114,6 +119,7 @@ public record Home(
         Optional.empty(),
         Wording.NONE,
         "",
+        Optional.empty(),
         Optional.empty());
   }
 
@@ -183,7 +189,8 @@ public record Home(
         timeZone,
         wording,
         words,
-        file);
+        file,
+        tracking);
   }
 
   /**

@@ -71,7 +71,8 @@ final class HomeReader {
             timeZone(homeNode),
             new WordingReader(graph, vocabulary).read(),
             ownWords(homeNode),
-            Optional.of(source.substring(source.lastIndexOf('/') + 1)));
+            Optional.of(source.substring(source.lastIndexOf('/') + 1)),
+            new TrackingReader(graph, vocabulary, words).read(individuals, nodes));
     check(home, nodes, scripts);
     new RuleCheck(graph, home).check(rules);
     checkMap(home);
@@ -183,8 +184,7 @@ final class HomeReader {
     HomeCheck check = new HomeCheck(graph, vocabulary);
     nodes.forEach(
         (name, node) -> {
-          check.checkThing(
-              node, home.devices().containsKey(name) || home.groups().containsKey(name));
+          check.checkThing(node, isAgent(home, name));
           if (graph.isA(NodeFactory.createURI(home.iri()), Maestro.term(HOME))) {
             check.checkHomeDeclares(node);
           }
@@ -207,6 +207,12 @@ final class HomeReader {
     if (graph.faults().isEmpty()) {
       new MapCheck(graph, home).check();
     }
+  }
+
+  private static boolean isAgent(Home home, String name) {
+    return home.devices().containsKey(name)
+        || home.groups().containsKey(name)
+        || home.tracking().filter(tracking -> tracking.agent().equals(name)).isPresent();
   }
 
   private Node homeNode(List<Node> homes) {

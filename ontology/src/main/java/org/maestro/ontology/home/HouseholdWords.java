@@ -55,7 +55,12 @@ final class HouseholdWords {
                       "broughtAboutBy",
                       "means",
                       "arguments",
-                      "body")
+                      "body",
+                      "tells",
+                      "supposes",
+                      "foretells",
+                      "noticesGuest",
+                      "ways")
                   .map(Maestro::term))
           .collect(Collectors.toUnmodifiableSet());
 

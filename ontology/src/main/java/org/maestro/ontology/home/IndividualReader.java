@@ -40,7 +40,20 @@ final class IndividualReader {
           Maestro.term("chance"),
           Maestro.term("allowed"),
           Maestro.term("member"),
-          Maestro.term("memberWhen"));
+          Maestro.term("memberWhen"),
+          Maestro.term("tracks"),
+          Maestro.term("tells"),
+          Maestro.term("supposes"),
+          Maestro.term("foretells"),
+          Maestro.term("noticesGuest"),
+          Maestro.term("ways"),
+          Maestro.term("wayOut"),
+          Maestro.term("staysFor"),
+          Maestro.term("staysAway"),
+          Maestro.term("passesWithin"),
+          Maestro.term("guestShare"),
+          Maestro.term("sureFrom"),
+          Maestro.term("foretellsFrom"));
 
   private final SourceGraph graph;
   private final Vocabulary vocabulary;

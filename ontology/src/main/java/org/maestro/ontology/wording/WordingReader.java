@@ -149,7 +149,7 @@ public final class WordingReader {
             of.get(),
             holds.get(),
             literals.parsed(node, "broughtAboutBy", text -> SlParser.formula(text, fluents)),
-            said(node, Maestro.term("foretells"))));
+            said(node, Maestro.term("willBe"))));
   }
 
   private Optional<Construction> construction(Node node) {

@@ -34,6 +34,7 @@ import org.maestro.bench.losses.LossesBench;
 import org.maestro.bench.planning.BuildingBench;
 import org.maestro.bench.planning.CancelBench;
 import org.maestro.bench.planning.PlannerBench;
+import org.maestro.bench.tracking.TrackingBench;
 import org.maestro.dialogue.Paraphraser;
 import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Command;
@@ -48,7 +49,7 @@ import picocli.CommandLine.Spec;
     name = "bench",
     description =
         "Run a benchmark: agents, building, bus, cancel, chaos, console, containers, coordination, growth, language, losses, noise, "
-            + "openings, opinion, planner, running, scripts, sim or soak.")
+            + "openings, opinion, planner, running, scripts, sim, soak or tracking.")
 final class BenchCommand implements Callable<Integer> {
   private static final int AGENTS = 10_000;
   private static final int MANY = 1_000;
@@ -98,7 +99,7 @@ final class BenchCommand implements Callable<Integer> {
       paramLabel = "N",
       description =
           "How often losses and cancel have each happen, openings opens, and noise and language say each"
-              + " utterance; once unless it is said.")
+              + " utterance; how many evenings tracking has; once unless it is said.")
   private int runs = 1;
 
   @Option(
@@ -157,7 +158,8 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "The one seed of chaos, with its story; that of noise, 1 unless it is said.")
+      description =
+          "The one seed of chaos, with its story; that of noise and tracking, 1 unless it is said.")
   private Optional<Long> seed = Optional.empty();
 
   @Mixin private OpinionOptions opinion;
@@ -252,6 +254,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("scripts", (wanted, progress) -> new ScriptsBench(1_000, 100, progress).run());
     benches.put("sim", (wanted, progress) -> simulation(progress));
     benches.put("soak", (wanted, progress) -> soak(wanted.goals(), progress));
+    benches.put("tracking", BenchCommand::tracking);
     return Collections.unmodifiableMap(benches);
   }
 
@@ -263,6 +266,13 @@ final class BenchCommand implements Callable<Integer> {
             "(nextTo GreenObject RedObject1)",
             MEASURED_TIME,
             progress)
+        .run();
+  }
+
+  private static BenchReport tracking(Wanted wanted, Consumer<String> progress) {
+    Home people = Shipped.home("people");
+    return new TrackingBench(
+            people, Shipped.scene("people", people), wanted.runs(), wanted.seed(), progress)
         .run();
   }
 

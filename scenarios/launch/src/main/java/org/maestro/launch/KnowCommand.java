@@ -93,6 +93,13 @@ final class KnowCommand implements Callable<Integer> {
     out.flush();
   }
 
+  /** Where it is not sure, with how likely it is. */
+  private static String truth(JsonNode answer) {
+    double confidence = answer.path("confidence").asDouble(1);
+    String truth = JsonRows.text(answer, "truth");
+    return confidence < 1 ? String.format(Locale.ROOT, "%s (%.2f)", truth, confidence) : truth;
+  }
+
   private static List<String> row(JsonNode answer) {
     String origin = AnswersDocument.origin(answer);
     StringJoiner binding = new StringJoiner(", ");
@@ -102,7 +109,7 @@ final class KnowCommand implements Callable<Integer> {
         .forEach(
             bound -> binding.add("?" + bound.getKey() + " = " + JsonRows.plain(bound.getValue())));
     return List.of(
-        JsonRows.text(answer, "truth"),
+        truth(answer),
         binding.toString(),
         answer.path("age_s").isNumber()
             ? String.format(Locale.ROOT, "%.1f s", answer.path("age_s").asDouble())

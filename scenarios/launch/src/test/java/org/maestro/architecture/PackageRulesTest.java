@@ -25,6 +25,7 @@ class PackageRulesTest {
     "org.maestro.planning..",
     "org.maestro.coordination..",
     "org.maestro.members..",
+    "org.maestro.persons..",
     "org.maestro.language..",
     "org.maestro.dialogue..",
     "org.maestro.deployment..",
@@ -171,6 +172,7 @@ class PackageRulesTest {
               "org.maestro.planning..",
               "org.maestro.coordination..",
               "org.maestro.members..",
+              "org.maestro.persons..",
               "org.maestro.deployment..",
               "org.maestro.agents..",
               "org.maestro.platform..",
@@ -200,6 +202,7 @@ class PackageRulesTest {
               "org.maestro.knowledge..",
               "org.maestro.planning..",
               "org.maestro.coordination..",
+              "org.maestro.persons..",
               "org.maestro.language..",
               "org.maestro.dialogue..",
               "org.maestro.deployment..")

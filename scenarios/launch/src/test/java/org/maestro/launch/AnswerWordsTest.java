@@ -35,6 +35,23 @@ class AnswerWordsTest {
         .isEqualTo("20.46.");
   }
 
+  private static AnswerWords.Found likely(Map<String, String> binding) {
+    return new AnswerWords.Found(Truth.TRUE, binding, OptionalDouble.of(1), 0.8);
+  }
+
+  @Test
+  void whatIsOnlyLikelyIsToldAsThat() {
+    assertThat(words.of(List.of(likely(Map.of("where", "kitchen")))))
+        .isEqualTo("Probably the kitchen.");
+    assertThat(words.of(List.of(likely(Map.of())))).isEqualTo("Probably.");
+    Map<String, String> mia = new LinkedHashMap<>(Map.of("x", "Mia"));
+    mia.put("where", "bathroom");
+    assertThat(words.of(List.of(likely(mia)))).isEqualTo("Mia: probably the bathroom.");
+    assertThat(
+            new AnswerWords(home, Language.of(home, "de").grammar()).of(List.of(likely(Map.of()))))
+        .isEqualTo("Wahrscheinlich ja.");
+  }
+
   @Test
   void unknownIsNotNo() {
     assertThat(words.of(List.of(found(Truth.TRUE, Map.of(), 1)))).isEqualTo("Yes.");

@@ -129,7 +129,8 @@ final class OtherWords {
         home.timeZone(),
         with(home.wording(), this::translated),
         home.words(),
-        home.file());
+        home.file(),
+        home.tracking());
   }
 
   private String translated(String text) {

@@ -32,7 +32,8 @@ final class FoundAnswers {
               answer.path("because").path(0).path("kind").asText(),
               answer.path("age_s").isNumber()
                   ? OptionalDouble.of(answer.path("age_s").asDouble())
-                  : OptionalDouble.empty()));
+                  : OptionalDouble.empty(),
+              answer.path("confidence").asDouble(1)));
     }
     return found;
   }

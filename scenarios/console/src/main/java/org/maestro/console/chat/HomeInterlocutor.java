@@ -20,6 +20,10 @@ import org.maestro.language.wording.GoalWords;
 import org.maestro.language.wording.Wish;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
+import org.maestro.sl.Truth;
 
 /**
  * The home itself as an interlocutor: understands what people say in their language, and reads
@@ -237,7 +241,7 @@ public final class HomeInterlocutor implements Interlocutor {
           listener);
     } else if (reading instanceof Reading.Asked question) {
       answer(
-          questions.know(question.formula(), reader(utterance)),
+          likely(question.formula(), reader(utterance)),
           known -> answered(question.formula(), known, words),
           words,
           listener);
@@ -392,6 +396,30 @@ public final class HomeInterlocutor implements Interlocutor {
     return reading instanceof Reading.Unclear unclear && reply.isPresent()
         ? new Reading.Unclear(reply.get(), unclear.near())
         : reading;
+  }
+
+  /** The answers that are known; where more are only likely, these. */
+  private CompletableFuture<JsonNode> likely(String asked, Optional<String> reader) {
+    Home home = around.home().get();
+    Formula formula = SlParser.formula(asked, home.vocabulary()::isFluent);
+    Optional<Formula> supposed = home.tracking().flatMap(tracking -> tracking.supposed(formula));
+    return questions
+        .know(asked, reader)
+        .thenCompose(
+            known ->
+                supposed
+                    .map(
+                        instead ->
+                            questions
+                                .know(SlPrinter.print(instead), reader)
+                                .thenApply(
+                                    likely -> answers(likely) > answers(known) ? likely : known)
+                                .exceptionally(failure -> known))
+                    .orElseGet(() -> CompletableFuture.completedFuture(known)));
+  }
+
+  private static long answers(JsonNode document) {
+    return FoundAnswers.of(document).stream().filter(one -> one.truth() == Truth.TRUE).count();
   }
 
   private static void answer(

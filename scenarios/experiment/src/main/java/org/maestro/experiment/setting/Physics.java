@@ -20,14 +20,16 @@ public final class Physics {
 
   /**
    * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
-   * doors, lamps behind switches, presence sensors, charging stations. And the shades of white, of
-   * which light and detection do not depend and for which no goal of an experiment asks. What
+   * doors, lamps behind switches, sensors of persons, charging stations. And the shades of white,
+   * of which light and detection do not depend and for which no goal of an experiment asks. What
    * exploration alone has it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
           "world.turn.",
           "world.presence.",
+          "world.recognition.",
+          "world.phone.",
           "world.wheels.wheelRadius",
           "world.wheels.halfLength",
           "world.wheels.halfWidth",
