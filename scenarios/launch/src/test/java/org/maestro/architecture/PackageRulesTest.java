@@ -27,6 +27,7 @@ class PackageRulesTest {
     "org.maestro.members..",
     "org.maestro.language..",
     "org.maestro.dialogue..",
+    "org.maestro.diary..",
     "org.maestro.deployment..",
     "org.maestro.storage..",
     "org.maestro.text..",
@@ -202,6 +203,7 @@ class PackageRulesTest {
               "org.maestro.coordination..",
               "org.maestro.language..",
               "org.maestro.dialogue..",
+              "org.maestro.diary..",
               "org.maestro.deployment..")
           .should()
           .dependOnClassesThat()
