@@ -28,6 +28,8 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.coordination.api.AnswerLog;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Utterance;
@@ -54,10 +56,21 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private final transient List<Consumer<Speech>> listeners = new ArrayList<>();
   private final transient Deque<Speech> recent = new ArrayDeque<>();
   private final transient List<BiConsumer<String, Mood>> watchers = new ArrayList<>();
+  private final transient List<Consumer<GivenAnswer>> clerks = new ArrayList<>();
+  private final transient AnswerLog answers;
   private final transient Map<String, Mood> moods = BoundedMap.ofNewest(AGENTS_KEPT);
 
+  /** One that keeps no answers to questions of scripts. */
   public DeskAgent(AgentTime time) {
+    this(time, (answer, then) -> then.run());
+  }
+
+  /**
+   * @param answers where those to questions of scripts are kept
+   */
+  public DeskAgent(AgentTime time, AnswerLog answers) {
     super(time);
+    this.answers = answers;
   }
 
   /**
@@ -86,6 +99,19 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
         });
   }
 
+  /**
+   * Has the listener told, on this agent's thread, of each answer to a question of a script from
+   * now on.
+   */
+  public void whenAnswered(Consumer<GivenAnswer> listener) {
+    tell(() -> clerks.add(listener));
+  }
+
+  private void given(GivenAnswer answer, ACLMessage message) {
+    clerks.forEach(clerk -> clerk.accept(answer));
+    answers.keep(answer, () -> tell(() -> confirm(message, answer.part())));
+  }
+
   private void shown(String agent, Mood mood) {
     moods.put(agent, mood);
     watchers.forEach(watcher -> watcher.accept(agent, mood));
@@ -104,12 +130,15 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
     for (Content content : Words.parse(message.getContent())) {
       Optional<Speech> speech = SpeechWords.read(content);
       Optional<Mood> mood = SpeechWords.mood(content);
+      Optional<GivenAnswer> answer = SpeechWords.given(content);
       if (speech.isPresent()) {
         said(speech.get());
         confirm(message, speech.get().part());
       } else if (mood.isPresent()) {
         shown(message.getSender().getLocalName(), mood.get());
         confirm(message, mood.get().part());
+      } else if (answer.isPresent()) {
+        given(answer.get(), message);
       } else {
         protest(message);
       }

@@ -108,6 +108,7 @@ public final class Sayings {
         question.part(),
         said.utterance().text(),
         said.caller(),
+        Optional.of(said.person()),
         (performative, contents) -> {
           boolean isOver =
               Stream.of(contents)
