@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
       AnswerCommand.class,
       CancelCommand.class,
       StopCommand.class,
+      AnswersCommand.class,
       ReviveCommand.class,
       CheckCommand.class,
       NewCommand.class,
