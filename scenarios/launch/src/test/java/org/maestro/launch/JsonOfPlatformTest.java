@@ -79,7 +79,7 @@ class JsonOfPlatformTest {
       assertThat(day.at("/requests/0/goal").asText()).isEqualTo("(canSee ?who Bob)");
       assertThat(day.at("/requests/0/end").asText()).isEqualTo("reached");
       assertThat(day.path("told").findValuesAsText("text"))
-          .contains("Somebody asks me to see to it that Bob is seen.");
+          .anyMatch(text -> text.startsWith("Somebody asks me to "));
       assertThat(document("words", 0, "words").path("words").findValuesAsText("unit"))
           .contains("lux");
     }

@@ -60,7 +60,12 @@ class DayTest {
     assertThat(report.silences()).hasSize(3);
     assertThat(report.changes())
         .extracting(DayReport.Change::fact)
-        .containsExactly("(= (level floor-lamp) 0)");
+        .as("what he wished, and what a camera needed to see him")
+        .containsExactly(
+            "(= (level floor-lamp) 0)",
+            "(= (level floor-lamp) 0.65)",
+            "(= (level reading-lamp) 1)",
+            "(= (level kitchen-lamp) 0.2)");
     assertThat(report.requests())
         .extracting(DayReport.Request::goal, DayReport.Request::person)
         .containsExactly(
@@ -69,12 +74,21 @@ class DayTest {
             tuple("(canSee ?who Dave)", Optional.empty()));
     assertThat(told(stage))
         .extracting(DaySentences.Told::text)
-        .containsSubsequence(
+        .containsExactly(
             "Nobody knows where Dave is.",
+            "Somebody asks me to look at Dave.",
             "Dave is in the living room.",
+            "As was asked: It is done.",
             "Dave asks me to turn off the floor lamp.",
-            "The level of the floor lamp is zero percent.",
+            "The floor lamp is off.",
+            "As was asked: The floor lamp is off. That is what I was told; nobody has seen it.",
+            "Nobody knows where Dave is.",
+            "Somebody asks me to look at Dave.",
+            "The level of the floor lamp is 65 percent.",
+            "The reading lamp is on.",
+            "The level of the kitchen light is 20 percent.",
             "Dave is in the kitchen.",
+            "As was asked: It is done.",
             "Nobody knows where Dave is.");
   }
 }

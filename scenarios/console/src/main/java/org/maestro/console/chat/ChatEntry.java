@@ -76,7 +76,7 @@ record ChatEntry(
         speech.wanted());
   }
 
-  /** The answer that a script has taken, where its question was. */
+  /** That a script has taken an answer, where its question was; what it is not all may read. */
   static ChatEntry answered(GivenAnswer answer, String person, String room, Instant at) {
     return new ChatEntry(
         at,
@@ -84,7 +84,7 @@ record ChatEntry(
         room,
         "answered",
         Optional.of(GoalId.whole(answer.part())),
-        answer.answer(),
+        "",
         List.of(),
         Optional.of(answer.part()),
         Optional.empty());
