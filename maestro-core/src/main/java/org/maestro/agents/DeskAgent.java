@@ -29,6 +29,8 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.coordination.api.AnswerLog;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Utterance;
@@ -55,20 +57,28 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private final transient List<Consumer<Speech>> listeners = new ArrayList<>();
   private final transient Deque<Speech> recent = new ArrayDeque<>();
   private final transient List<BiConsumer<String, Mood>> watchers = new ArrayList<>();
+  private final transient List<Consumer<GivenAnswer>> clerks = new ArrayList<>();
+  private final transient AnswerLog answers;
   private final transient Map<String, Mood> moods = BoundedMap.ofNewest(AGENTS_KEPT);
 
   private final transient Function<String, Optional<String>> agentByRoom;
 
-  /** Of a home in which no room has an agent that listens. */
+  /**
+   * One that keeps no answers to questions of scripts, of a home in which no room has an agent that
+   * listens.
+   */
   public DeskAgent(AgentTime time) {
-    this(time, room -> Optional.empty());
+    this(time, (answer, then) -> then.run(), room -> Optional.empty());
   }
 
   /**
+   * @param answers where those to questions of scripts are kept
    * @param agentByRoom the agent that hears what is said in a room, by the room's name, if one does
    */
-  public DeskAgent(AgentTime time, Function<String, Optional<String>> agentByRoom) {
+  public DeskAgent(
+      AgentTime time, AnswerLog answers, Function<String, Optional<String>> agentByRoom) {
     super(time);
+    this.answers = answers;
     this.agentByRoom = agentByRoom;
   }
 
@@ -98,6 +108,19 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
         });
   }
 
+  /**
+   * Has the listener told, on this agent's thread, of each answer to a question of a script from
+   * now on.
+   */
+  public void whenAnswered(Consumer<GivenAnswer> listener) {
+    tell(() -> clerks.add(listener));
+  }
+
+  private void given(GivenAnswer answer, ACLMessage message) {
+    clerks.forEach(clerk -> clerk.accept(answer));
+    answers.keep(answer, () -> tell(() -> confirm(message, answer.part())));
+  }
+
   private void shown(String agent, Mood mood) {
     moods.put(agent, mood);
     watchers.forEach(watcher -> watcher.accept(agent, mood));
@@ -116,12 +139,15 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
     for (Content content : Words.parse(message.getContent())) {
       Optional<Speech> speech = SpeechWords.read(content);
       Optional<Mood> mood = SpeechWords.mood(content);
+      Optional<GivenAnswer> answer = SpeechWords.given(content);
       if (speech.isPresent()) {
         said(speech.get());
         confirm(message, speech.get().part());
       } else if (mood.isPresent()) {
         shown(message.getSender().getLocalName(), mood.get());
         confirm(message, mood.get().part());
+      } else if (answer.isPresent()) {
+        given(answer.get(), message);
       } else {
         protest(message);
       }

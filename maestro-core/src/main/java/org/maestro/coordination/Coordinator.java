@@ -35,6 +35,7 @@ import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.PlanRecord;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.ScriptStep;
 import org.maestro.coordination.api.Story;
@@ -539,23 +540,26 @@ public final class Coordinator {
    * leaves the question open.
    *
    * @param part of the script that asked, such as G7.2
-   * @param who answers, of whom the story tells
+   * @param by of whom the story tells
    * @param then told once: nothing when it was taken and would survive the end of the process, or
    *     else why it was not
    */
-  public void answer(String part, String text, String who, Consumer<Optional<AnswerRefusal>> then) {
-    activeGoals.run(
-        () -> {
-          Optional<AnswerRefusal> refusal =
-              asking(part)
-                  .map(script -> script.answer(part, text, who))
-                  .orElseGet(() -> Optional.of(AnswerRefusal.notOpen(part)));
+  public void answer(
+      String part, String text, Respondent by, Consumer<Optional<AnswerRefusal>> then) {
+    Consumer<Optional<AnswerRefusal>> told =
+        refusal -> {
           if (refusal.isEmpty()) {
             ports.journal().afterwards(() -> then.accept(refusal));
           } else {
             then.accept(refusal);
           }
-        });
+        };
+    activeGoals.run(
+        () ->
+            asking(part)
+                .ifPresentOrElse(
+                    script -> script.answer(part, text, by, told),
+                    () -> told.accept(Optional.of(AnswerRefusal.notOpen(part)))));
   }
 
   /** The script nearest to the part; a step of a plan may be one as well. */

@@ -29,6 +29,15 @@ public final class AskedQuestions {
         .or(() -> Optional.ofNullable(latest.get(utterance.room())));
   }
 
+  /**
+   * It was answered, by whatever way.
+   *
+   * @param part of the script that asked
+   */
+  public synchronized void answered(String part) {
+    latest.values().removeIf(question -> question.part().equals(part));
+  }
+
   /** It was answered, or nobody waits for an answer any more. */
   public synchronized void over(Speech question) {
     latest.remove(question.to(), question);

@@ -30,7 +30,16 @@ public final class UtteranceCheck {
         .or(() -> unknown(utterance.person(), PERSON, "person"))
         .or(() -> utterance.room().isEmpty() ? Optional.empty() : unknownRoom(utterance.room()))
         .or(() -> unreadable(utterance.text()))
-        .or(() -> spokenForAnother(utterance));
+        .or(() -> forAnother(utterance.person(), utterance.asker()));
+  }
+
+  /**
+   * The same of something else that a person does, by whatever way.
+   *
+   * @param asker see {@link Utterance}
+   */
+  public Optional<String> objection(String person, Optional<String> asker) {
+    return unknown(person, PERSON, "person").or(() -> forAnother(person, asker));
   }
 
   private static Optional<String> tooLong(String text) {
@@ -41,15 +50,14 @@ public final class UtteranceCheck {
   }
 
   /** A person of the home who has proven who she is speaks for nobody else. */
-  private Optional<String> spokenForAnother(Utterance utterance) {
-    return utterance
-        .asker()
-        .filter(asker -> persons().stream().anyMatch(asker::equalsIgnoreCase))
-        .filter(asker -> !asker.equalsIgnoreCase(utterance.person()))
+  private Optional<String> forAnother(String person, Optional<String> asker) {
+    return asker
+        .filter(name -> persons().stream().anyMatch(name::equalsIgnoreCase))
+        .filter(name -> !name.equalsIgnoreCase(person))
         .map(
-            asker ->
+            name ->
                 "%s does not speak for %s; each person speaks for herself."
-                    .formatted(asker, utterance.person()));
+                    .formatted(name, person));
   }
 
   private static Optional<String> unreadable(String text) {

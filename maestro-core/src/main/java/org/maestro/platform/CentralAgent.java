@@ -6,6 +6,7 @@ import org.maestro.agents.CoordinatorAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.lives.AgentLifeListener;
+import org.maestro.coordination.api.JournalEntry;
 import org.maestro.platform.journal.Chronicle;
 import org.maestro.rats.time.Clock;
 
@@ -19,11 +20,16 @@ final class CentralAgent implements AgentLifeListener {
   private volatile boolean isThere = true;
 
   /**
+   * @param listener told of what is written into its journal
    * @param making makes one, with the past on which it goes on
    */
-  CentralAgent(Past past, Clock clock, Function<Past, CoordinatorAgent> making) {
+  CentralAgent(
+      Past past,
+      Clock clock,
+      Consumer<JournalEntry> listener,
+      Function<Past, CoordinatorAgent> making) {
     this.making = making;
-    this.chronicle = new Chronicle(past.journal(), clock, past.recovery());
+    this.chronicle = new Chronicle(past.journal(), clock, past.recovery(), listener);
     this.coordinator = making.apply(new Past(chronicle, past.recovery(), past.stories()));
   }
 

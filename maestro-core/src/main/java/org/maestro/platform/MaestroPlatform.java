@@ -26,12 +26,14 @@ import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Signs;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.supervision.SupervisorOrders;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Story;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
 import org.maestro.dialogue.Dialogues;
+import org.maestro.diary.Diary;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.habits.HabitFile;
 import org.maestro.knowledge.habits.HabitLog;
@@ -88,6 +90,7 @@ public final class MaestroPlatform implements AutoCloseable {
         new CentralAgent(
             past.ofCentre(),
             clock,
+            memory.diary()::note,
             before ->
                 new CoordinatorAgent(
                     time,
@@ -97,7 +100,9 @@ public final class MaestroPlatform implements AutoCloseable {
                     settings.decisionTime(),
                     before,
                     dialogues));
-    this.desk = new DeskAgent(time, room -> knowledge.home().listener(room).map(Group::id));
+    this.desk =
+        new DeskAgent(
+            time, memory.answers(), room -> knowledge.home().listener(room).map(Group::id));
     Surroundings here =
         new Surroundings(
             time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
@@ -176,6 +181,8 @@ public final class MaestroPlatform implements AutoCloseable {
     lives.listen(desk);
     lives.listen(central);
     agents.listen();
+    memory.diary().begin();
+    knowledge.watch(memory.diary()::note);
     main.watch(time.clock()::instant, lives);
     memory.stories().ifPresent(stories::addListener);
     main.start(
@@ -185,6 +192,7 @@ public final class MaestroPlatform implements AutoCloseable {
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);
     desk.whenSaid(dialogues.asked()::hear);
+    desk.whenAnswered(answer -> dialogues.asked().answered(answer.part()));
     agents.begin();
     for (Group group : knowledge.home().groups().values()) {
       GroupAgent agent = new GroupAgent(time, mind, group, stories, past, dialogues);
@@ -275,6 +283,16 @@ public final class MaestroPlatform implements AutoCloseable {
   /** Where goals are stated. */
   public DeskAgent desk() {
     return desk;
+  }
+
+  /** The latest answers to questions of scripts, oldest first. */
+  public List<GivenAnswer> answers() {
+    return memory.answers().latest();
+  }
+
+  /** What became so and was asked for, day by day. */
+  public Diary diary() {
+    return memory.diary();
   }
 
   /** What persons of the home have said, and what was asked back. */

@@ -9,8 +9,10 @@ import java.util.TreeSet;
 import org.maestro.agents.goals.Past;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.diary.Diary;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.platform.jade.PlatformStartException;
+import org.maestro.platform.journal.AnswerFile;
 import org.maestro.platform.journal.JournalFile;
 import org.maestro.platform.journal.StoryFile;
 import org.maestro.rats.time.Clock;
@@ -19,10 +21,15 @@ import org.maestro.rats.time.Clock;
 final class PlatformMemory implements AutoCloseable {
   private final Optional<JournalFile> journal;
   private final Optional<StoryFile> stories;
+  private final AnswerFile answers;
+  private final Diary diary;
 
-  private PlatformMemory(Optional<JournalFile> journal, Optional<StoryFile> stories) {
+  private PlatformMemory(
+      Optional<JournalFile> journal, Optional<StoryFile> stories, AnswerFile answers, Diary diary) {
     this.journal = journal;
     this.stories = stories;
+    this.answers = answers;
+    this.diary = diary;
   }
 
   /**
@@ -38,10 +45,20 @@ final class PlatformMemory implements AutoCloseable {
                         directory, clock, name -> knowledge.home().vocabulary().isFluent(name)));
     Optional<StoryFile> stories =
         settings.storyDirectory().map(directory -> StoryFile.open(directory, clock));
-    PlatformMemory memory = new PlatformMemory(journal, stories);
+    Diary diary =
+        new Diary(
+            knowledge::home,
+            clock,
+            settings.dataDirectory().map(directory -> directory.resolve("diary")));
+    PlatformMemory memory = new PlatformMemory(journal, stories, AnswerFile.inMemory(), diary);
     try {
       stories.ifPresent(files -> files.begin(memory.goals()));
-      return memory;
+      return settings
+          .dataDirectory()
+          .map(
+              directory ->
+                  new PlatformMemory(journal, stories, AnswerFile.open(directory, clock), diary))
+          .orElse(memory);
     } catch (PlatformStartException e) {
       memory.close();
       throw e;
@@ -68,6 +85,16 @@ final class PlatformMemory implements AutoCloseable {
     return stories;
   }
 
+  /** Answers to questions of scripts. */
+  AnswerFile answers() {
+    return answers;
+  }
+
+  /** What became so and was asked for, day by day. */
+  Diary diary() {
+    return diary;
+  }
+
   Past past() {
     if (journal.isEmpty()) {
       return Past.none();
@@ -90,5 +117,7 @@ final class PlatformMemory implements AutoCloseable {
   public void close() {
     journal.ifPresent(JournalFile::close);
     stories.ifPresent(StoryFile::close);
+    answers.close();
+    diary.close();
   }
 }

@@ -38,7 +38,7 @@ public final class WritingAside implements AutoCloseable {
     void write() throws IOException;
   }
 
-  private record Waiting(long bytes, Writing writing) {}
+  private record Waiting(long bytes, Writing writing, Runnable after) {}
 
   private WritingAside(String what, boolean atOnce) {
     this.what = what;
@@ -69,8 +69,18 @@ public final class WritingAside implements AutoCloseable {
    * @param bytes that it takes, about
    */
   public void add(long bytes, Writing writing) {
+    add(bytes, writing, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param after run when it is written or left away, but not after the end; it must not block
+   */
+  public void add(long bytes, Writing writing, Runnable after) {
     if (atOnce) {
       written(writing);
+      after.run();
       return;
     }
     synchronized (this) {
@@ -78,13 +88,14 @@ public final class WritingAside implements AutoCloseable {
         return;
       }
       if (bytesWaiting + bytes <= MOST_BYTES_WAITING) {
-        waiting.addLast(new Waiting(bytes, writing));
+        waiting.addLast(new Waiting(bytes, writing, after));
         bytesWaiting += bytes;
         notifyAll();
         return;
       }
     }
     isMissing("the disk is slower than they come");
+    after.run();
   }
 
   private void write() {
@@ -101,6 +112,7 @@ public final class WritingAside implements AutoCloseable {
           next = waiting.removeFirst();
         }
         written(next.writing());
+        next.after().run();
         synchronized (this) {
           bytesWaiting -= next.bytes();
         }

@@ -1,6 +1,7 @@
 package org.maestro.coordination;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -10,17 +11,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.coordination.api.AnswerRefusal;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.home.Script;
+import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 
@@ -62,7 +67,7 @@ class AskTest {
 
   private Optional<AnswerRefusal> answer(String part, String text) {
     List<Optional<AnswerRefusal>> told = new ArrayList<>();
-    house.coordinator.answer(part, text, "Bob", told::add);
+    house.coordinator.answer(part, text, new Respondent("Bob"), told::add);
     assertThat(told).hasSize(1);
     house.clock.run(Duration.ofSeconds(1));
     return told.get(0);
@@ -84,6 +89,13 @@ class AskTest {
     "integer, 7, 7",
     "Person, Eve, Eve",
     "Person, aunt eve, Eve",
+    "'(choice \"good\" \"so so\")', So so, '\"so so\"'",
+    "'(choice \"good\" \"so so\")', ' 1 ', '\"good\"'",
+    "'(choice Eve Bob \"nobody\")', aunt eve, Eve",
+    "'(choice Eve Bob \"nobody\")', 2, Bob",
+    "'(choice 10 5 2)', 2, 2",
+    "'(slider 1 7 1)', 7, 7",
+    "'(slider -1 1 0.1)', -0.3, -0.3",
   })
   void theVariableStandsForTheAnswer(String type, String text, String value) {
     begin("(seq (ask Bob \"Well?\" ?it %s) (return ?it))".formatted(type));
@@ -93,7 +105,8 @@ class AskTest {
     assertThat(outcome().reached()).as(house.told()).isTrue();
     assertThat(outcome().binding()).containsOnlyKeys("result");
     assertThat(SlPrinter.print(outcome().binding().get("result"))).isEqualTo(value);
-    assertThat(house.told()).contains("G1 SAID [1] Asks Bob: \"Well?\" Answer by ./maestro answer");
+    assertThat(house.told())
+        .contains("G1 SAID [1] Asks Bob: \"Well?\" ", "Answer by ./maestro answer G1.1,");
     assertThat(house.told()).contains("G1 KNOWN [1] ?it is " + value + ", as Bob has answered.");
   }
 
@@ -107,8 +120,16 @@ class AskTest {
         "double  | 1e999  | write a number, such as 21.5.",
         "integer | 2.5    | write a whole number, such as 3.",
         "Person  | rose   | write one of Bob, Eve.",
+        "(choice \"good\" \"so so\") | 3 | write one of good, so so.",
+        "(choice \"good\" Eve) | | write one of good, Aunt Eve.",
+        "(choice 10 5 2) | 3 | write one of 10, 5, 2.",
+        "(slider 1 7 1) | 8 | write a number from 1 to 7, by steps of 1.",
+        "(slider 1 7 1) | very | write a number from 1 to 7, by steps of 1.",
+        "(slider 0 1 0.25) | 0.3 | write a number from 0 to 1, by steps of 0.25.",
       })
-  void anAnswerThatWouldNotDoIsToldSoAndTheQuestionStays(String type, String text, String cure) {
+  void anAnswerThatWouldNotDoIsToldSoAndTheQuestionStays(
+      String type, @Nullable String said, String cure) {
+    String text = said == null ? "" : said;
     begin("(seq (ask Bob \"Well?\" ?it %s) (return ?it))".formatted(type));
 
     assertThat(answer("G1.1", text))
@@ -142,6 +163,54 @@ class AskTest {
                 "Bob",
                 "And who are you?",
                 Optional.of(new Speech.Wanted("Person", List.of("Bob", "Eve")))));
+  }
+
+  @Test
+  void whoIsAskedHearsWhatCanBeChosenAndWhatCanBeSet() {
+    begin(
+        "(seq (ask Bob \"How was it?\" ?how (choice \"good\" rose))"
+            + " (ask Bob \"And how\" ?how \"?\" ?much (slider 0 100 5 \"not at all\" \"\")) (return ?much))");
+
+    answer("G1.1", "rose");
+    answer("G1.1.1.1", "35");
+
+    assertThat(house.letters.said)
+        .extracting(Speech::wanted)
+        .containsExactly(
+            Optional.of(
+                new Speech.Wanted(Speech.Wanted.CHOICE, List.of("good", "rose"), Optional.empty())),
+            Optional.of(
+                new Speech.Wanted(
+                    Speech.Wanted.SLIDER,
+                    List.of(),
+                    Optional.of(new AnswerFormat.Slider(0, 100, 5, "not at all", "")))));
+    assertThat(house.told())
+        .contains("Asks Bob: \"How was it?\" One of: good, rose. Answer by")
+        .contains("From 0 (not at all) to 100, by steps of 5. Answer by");
+  }
+
+  @Test
+  void eachAnswerIsKeptWithWhoWasAskedWhatAndWhoseItIs() {
+    begin("(seq (ask Bob \"Well?\" ?it (choice \"yes\" \"no\")) (ask Eve \"And you?\" ?n))");
+
+    answer("G1.1", "maybe");
+    answer("G1.1", "1");
+    house.coordinator.answer(
+        "G1.1.1.1", "so so", new Respondent("desk", Optional.of("Bob")), refusal -> {});
+
+    assertThat(outcome().reached()).as(house.told()).isTrue();
+    assertThat(house.letters.kept)
+        .extracting(
+            GivenAnswer::script,
+            GivenAnswer::goal,
+            GivenAnswer::part,
+            GivenAnswer::to,
+            GivenAnswer::person,
+            GivenAnswer::question,
+            GivenAnswer::answer)
+        .containsExactly(
+            tuple("talk", "(talk)", "G1.1", "Bob", "Bob", "Well?", "yes"),
+            tuple("talk", "(talk)", "G1.1.1.1", "Eve", "Bob", "And you?", "so so"));
   }
 
   /** What does not need the answer goes on meanwhile; each question has its own answer. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.contention.ResourceClaimsTest;
 import org.maestro.ontology.home.HomeLoader;
 
@@ -160,7 +161,7 @@ class CompositesTest {
             "(in Cup zone-c)");
     List<Optional<AnswerRefusal>> told = new ArrayList<>();
     house.clock.run(Duration.ofSeconds(2));
-    house.coordinator.answer("G1.1.1", "yes", "Bob", told::add);
+    house.coordinator.answer("G1.1.1", "yes", new Respondent("Bob"), told::add);
     house.clock.runUntil(() -> house.outcomes.containsKey(id), Duration.ofMinutes(5));
 
     assertThat(told).as(house.told()).containsExactly(Optional.empty());

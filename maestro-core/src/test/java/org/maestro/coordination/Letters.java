@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Messenger;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
@@ -17,6 +18,7 @@ final class Letters implements Messenger {
   final List<Speech> said = new ArrayList<>();
   final List<Mood> moods = new ArrayList<>();
   final List<String> told = new ArrayList<>();
+  final List<GivenAnswer> kept = new ArrayList<>();
   final Set<String> deaf = new TreeSet<>();
 
   @Override
@@ -35,6 +37,12 @@ final class Letters implements Messenger {
   public void tell(String part, String agent, Content message, Consumer<Optional<String>> then) {
     told.add("%s %s %s".formatted(part, agent, SlPrinter.print(message)));
     then.accept(answer(agent));
+  }
+
+  @Override
+  public void keep(GivenAnswer answer, Runnable then) {
+    kept.add(answer);
+    then.run();
   }
 
   private Optional<String> answer(String who) {

@@ -137,11 +137,28 @@ public sealed interface Body {
    *
    * @param words what is asked, one after the other; of a thing its label
    * @param answer stands for the answer in the parts; without a class for a text
+   * @param format of the answer, where it is chosen instead of written; then there is no class
    */
-  record Ask(Term who, List<Term> words, TypedVariable answer, List<Body> parts) implements Body {
+  record Ask(
+      Term who,
+      List<Term> words,
+      TypedVariable answer,
+      Optional<AnswerFormat> format,
+      List<Body> parts)
+      implements Body {
     public Ask {
       words = List.copyOf(words);
       parts = List.copyOf(parts);
+    }
+
+    /** One that is answered in words. */
+    public Ask(Term who, List<Term> words, TypedVariable answer, List<Body> parts) {
+      this(who, words, answer, Optional.empty(), parts);
+    }
+
+    /** The same with other parts. */
+    Ask with(List<Body> others) {
+      return new Ask(who, words, answer, format, others);
     }
 
     /** The class or datatype of which the answer is to be. */

@@ -139,6 +139,7 @@ final class BodyPrinter {
     ask.words().forEach(word -> parts.add(SlPrinter.print(word)));
     parts.add("?" + ask.answer().name());
     ask.answer().className().ifPresent(parts::add);
+    ask.format().ifPresent(format -> parts.add(AnswerFormatSyntax.print(format)));
     return parts;
   }
 

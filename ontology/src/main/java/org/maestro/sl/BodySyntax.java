@@ -137,7 +137,7 @@ final class BodySyntax {
     for (int at = nodes.size() - 1; at >= 0; at--) {
       Body step = body(nodes.get(at));
       if (step instanceof Body.Ask ask && ask.parts().isEmpty() && !steps.isEmpty()) {
-        Body whole = new Body.Ask(ask.who(), ask.words(), ask.answer(), List.copyOf(steps));
+        Body whole = ask.with(List.copyOf(steps));
         steps.clear();
         steps.push(whole);
       } else {
@@ -163,11 +163,16 @@ final class BodySyntax {
         isTyped
             ? Optional.of(ExpressionSyntax.name(rest.get(end - 1), "a class"))
             : Optional.empty();
+    Optional<AnswerFormat> format =
+        isTyped || end == rest.size()
+            ? Optional.empty()
+            : AnswerFormatSyntax.format((Node.Group) rest.get(end));
     return new Body.Ask(
         ExpressionSyntax.term(rest.get(0)),
         ExpressionSyntax.terms(rest.subList(1, variable)),
         new TypedVariable(name(rest.get(variable)), type),
-        inTurn(rest.subList(end, rest.size())));
+        format,
+        inTurn(rest.subList(format.isPresent() ? end + 1 : end, rest.size())));
   }
 
   private static boolean isOf(Node.Kind kind, Node node) {

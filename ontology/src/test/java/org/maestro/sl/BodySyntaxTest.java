@@ -63,6 +63,34 @@ class BodySyntaxTest {
                 new TypedVariable("it", Optional.empty()),
                 List.of())),
         Arguments.of(
+            "(ask zone-a \"Well?\" ?it (choice \"good\" 3 zone-a) (run light zone-a))",
+            new Body.Ask(
+                ZONE,
+                List.of(new Term.Text("Well?")),
+                new TypedVariable("it", Optional.empty()),
+                Optional.of(
+                    new AnswerFormat.Choice(
+                        List.of(new Term.Text("good"), new Term.Number(3), ZONE))),
+                List.of(RUN))),
+        Arguments.of(
+            "(ask zone-a \"Well?\" ?it (slider -1 1 0.5))",
+            new Body.Ask(
+                ZONE,
+                List.of(new Term.Text("Well?")),
+                new TypedVariable("it", Optional.empty()),
+                Optional.of(new AnswerFormat.Slider(-1, 1, 0.5, "", "")),
+                List.of())),
+        Arguments.of(
+            "(seq (ask zone-a \"Well?\" ?it (slider 1 7 1 \"not at all\" \"very\")) (fail \"no\"))",
+            new Body.Seq(
+                List.of(
+                    new Body.Ask(
+                        ZONE,
+                        List.of(new Term.Text("Well?")),
+                        new TypedVariable("it", Optional.empty()),
+                        Optional.of(new AnswerFormat.Slider(1, 7, 1, "not at all", "very")),
+                        List.of(FAIL))))),
+        Arguments.of(
             "(seq (run light zone-a) (ask zone-a ?text ?n) (run light zone-a) (fail \"no\"))",
             new Body.Seq(
                 List.of(
@@ -193,6 +221,14 @@ class BodySyntaxTest {
         "(ask Bob ?x Zone (a)) | 18 | A QUESTION | \"(a ...)\"",
         "(ask Bob \"Well?\" Zone Lamp) | 27 | A QUESTION | \")\"",
         "(ask Bob \"Well?\" ?x (a)) | 21 | A STEP | \"(a ...)\"",
+        "(ask Bob \"Well?\" ?x (choice)) | 28 | OPTIONS | \")\"",
+        "(ask Bob \"Well?\" ?x (choice (a))) | 29 | a term | \"(a ...)\"",
+        "(ask Bob \"Well?\" ?x (slider 1 7)) | 32 | A RANGE | \")\"",
+        "(ask Bob \"Well?\" ?x (slider 1 ?most 1)) | 31 | A RANGE | \"?most\"",
+        "(ask Bob \"Well?\" ?x (slider 1 7 1 \"low\")) | 40 | A RANGE | \")\"",
+        "(ask Bob \"Well?\" ?x (slider 1 7 1 low high)) | 35 | A RANGE | \"low\"",
+        "(ask Bob \"Well?\" ?x (slider 1 7 1 \"a\" \"b\" \"c\")) | 43 | \")\" | the string \"c\"",
+        "(ask Bob \"Well?\" ?x Zone (choice 1 2)) | 26 | A STEP | \"(choice ...)\"",
         "(tell CCA) | 10 | A MESSAGE | \")\"",
         "(tell CCA (ping) (ping)) | 18 | \")\" | \"(ping ...)\"",
         "(tell CCA ping) | 11 | a content element such as (initCNP ...) | \"ping\"",
@@ -217,6 +253,13 @@ class BodySyntaxTest {
                 "A QUESTION",
                 "a person or a room, what is asked, a variable for the answer, and perhaps its"
                     + " class, such as (ask Bob \"Which room?\" ?room Zone)")
+            .replace(
+                "OPTIONS",
+                "answers of which one is chosen, such as (choice \"good\" \"fair\" \"bad\")")
+            .replace(
+                "A RANGE",
+                "the lowest number, the highest, the step, and perhaps what stands at both ends,"
+                    + " such as (slider 1 7 1 \"not at all\" \"very\")")
             .replace(
                 "A MESSAGE",
                 "an agent and a message, such as (tell CCA (initCNP (:goal (in Cup zone-a))))")

@@ -1,6 +1,7 @@
 package org.maestro.sl;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -132,12 +133,31 @@ final class SyntaxTrees {
   }
 
   private static Arbitrary<Body> questions(Arbitrary<List<Body>> parts) {
-    return Combinators.combine(
-            terms(),
-            terms().list().ofMinSize(1).ofMaxSize(3),
-            Combinators.combine(names(), names().optional()).as(TypedVariable::new),
-            parts)
-        .as(Body.Ask::new);
+    Arbitrary<List<Term>> words = terms().list().ofMinSize(1).ofMaxSize(3);
+    return Arbitraries.oneOf(
+        Combinators.combine(
+                terms(),
+                words,
+                Combinators.combine(names(), names().optional()).as(TypedVariable::new),
+                parts)
+            .as(Body.Ask::new),
+        Combinators.combine(terms(), words, names(), answerFormats(), parts)
+            .as(
+                (who, asked, name, format, inside) ->
+                    new Body.Ask(
+                        who,
+                        asked,
+                        new TypedVariable(name, Optional.empty()),
+                        Optional.of(format),
+                        inside)));
+  }
+
+  private static Arbitrary<AnswerFormat> answerFormats() {
+    Arbitrary<String> labels = Arbitraries.strings().ofMaxLength(8);
+    return Arbitraries.oneOf(
+        terms().list().ofMinSize(1).ofMaxSize(3).map(AnswerFormat.Choice::new),
+        Combinators.combine(numbers(), numbers(), numbers(), labels, labels)
+            .as(AnswerFormat.Slider::new));
   }
 
   private static Arbitrary<Body> steps() {

@@ -25,6 +25,8 @@ import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Requester;
+import org.maestro.coordination.api.Respondent;
+import org.maestro.dialogue.UtteranceCheck;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.ReadingRights;
@@ -343,11 +345,17 @@ public final class GoalRequests {
    */
   public void answer(ACLMessage message, Words words) {
     Caller caller = Caller.of(message, agent.getHap()).askingFor(words.string("for"));
-    if (mayAsk(caller, message)) {
+    Optional<String> person = words.string("person");
+    Optional<String> objection =
+        person.flatMap(name -> new UtteranceCheck(knowledge.home()).objection(name, caller.user()));
+    if (objection.isPresent()) {
+      agent.refuse(message, ACLMessage.REFUSE, objection.get());
+    } else if (mayAsk(caller, message)) {
       answer(
           words.string("question").orElse(""),
           words.string("text").orElse(""),
           caller,
+          person,
           (performative, contents) -> agent.reply(message, performative, contents));
     }
   }
@@ -357,18 +365,25 @@ public final class GoalRequests {
     void told(int performative, Content... contents);
   }
 
-  /** The same, told to whom it concerns here. */
-  void answer(String question, String text, Caller caller, Verdict verdict) {
+  /**
+   * The same, told to whom it concerns here.
+   *
+   * @param person of the home whose answer it is, where that is known
+   */
+  void answer(
+      String question, String text, Caller caller, Optional<String> person, Verdict verdict) {
     Optional<AID> owner = others.owner(GoalId.whole(question));
     if (owner.isPresent()) {
       forward(
-          owner.get(), SpeechWords.answer(question, text, Optional.of(caller.toString())), verdict);
+          owner.get(),
+          SpeechWords.answer(question, text, Optional.of(caller.toString()), person),
+          verdict);
       return;
     }
     coordinator.answer(
         question,
         text,
-        caller.toString(),
+        new Respondent(caller.toString(), person),
         refusal ->
             verdict.told(
                 refusal.isPresent() ? ACLMessage.REFUSE : ACLMessage.INFORM,

@@ -89,6 +89,7 @@ public final class Sayings {
         question.part(),
         dialogues.answer(said.utterance(), question),
         said.caller(),
+        Optional.of(said.person()),
         (performative, contents) -> {
           boolean isOver =
               Stream.of(contents)

@@ -7,6 +7,7 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.sl.Content;
 
 /** Answers what others ask of an agent's own goals. Agent thread only. */
@@ -51,7 +52,7 @@ public final class OwnGoalRequests {
     goals.answer(
         question,
         words.string("text").orElse(""),
-        words.string("for").orElse(AgentNames.COORDINATOR),
+        new Respondent(words.string("for").orElse(AgentNames.COORDINATOR), words.string("person")),
         refusal ->
             agent.reply(
                 message,

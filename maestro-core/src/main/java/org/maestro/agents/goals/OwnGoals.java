@@ -28,6 +28,7 @@ import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -203,13 +204,13 @@ public final class OwnGoals {
   }
 
   /** See {@link Coordinator#answer}. */
-  void answer(String part, String text, String who, Consumer<Optional<AnswerRefusal>> then) {
+  void answer(String part, String text, Respondent by, Consumer<Optional<AnswerRefusal>> then) {
     deliberation
         .coordinator()
         .answer(
             part,
             text,
-            who,
+            by,
             refusal -> {
               tellCentre();
               then.accept(refusal);

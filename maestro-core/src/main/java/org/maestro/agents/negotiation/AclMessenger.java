@@ -9,10 +9,13 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.SpeechWords;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Messenger;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.sl.Content;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The way to people by the desk, and to agents by their names. An agent has taken a message when it
@@ -20,6 +23,8 @@ import org.maestro.sl.Content;
  * thread only.
  */
 public final class AclMessenger implements Messenger {
+
+  private static final Logger LOG = LoggerFactory.getLogger(AclMessenger.class);
 
   /** Under which a message says which part of a script sends it. */
   public static final String PART = "X-maestro-part";
@@ -75,6 +80,22 @@ public final class AclMessenger implements Messenger {
                     ? Optional.empty()
                     : problem(reply)
                         .map(reason -> "%s has not taken it: %s".formatted(receiver, reason))));
+  }
+
+  /** The desk confirms what is kept, as it does what is said. */
+  @Override
+  public void keep(GivenAnswer answer, Runnable then) {
+    send(
+        answer.part(),
+        AgentNames.DESK,
+        SpeechWords.given(answer),
+        agent.patience().agreement(),
+        reply -> {
+          problem(reply)
+              .ifPresent(
+                  reason -> LOG.warn("The answer to {} is not kept: {}", answer.part(), reason));
+          then.run();
+        });
   }
 
   private void send(

@@ -32,6 +32,13 @@ public interface Messenger {
    */
   void tell(String part, String agent, Content message, Consumer<Optional<String>> then);
 
+  /**
+   * Brings an answer to where answers are kept.
+   *
+   * @param then run once, when it is there or cannot be brought there
+   */
+  void keep(GivenAnswer answer, Runnable then);
+
   /** One where there is neither anybody to hear nor an agent. */
   static Messenger nobody() {
     return new Messenger() {
@@ -49,6 +56,11 @@ public interface Messenger {
       public void tell(
           String part, String agent, Content message, Consumer<Optional<String>> then) {
         then.accept(Optional.of("There are no agents here, and no %s.".formatted(agent)));
+      }
+
+      @Override
+      public void keep(GivenAnswer answer, Runnable then) {
+        then.run();
       }
     };
   }

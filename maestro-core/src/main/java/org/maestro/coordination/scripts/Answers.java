@@ -1,85 +1,36 @@
 package org.maestro.coordination.scripts;
 
-import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
+import org.maestro.coordination.api.Speech;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.home.Individual;
+import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.Term;
 
-/**
- * The answers to a question that would do: of one class or datatype, as people write them.
- *
- * @param type see {@link org.maestro.sl.Body.Ask}
- */
-record Answers(String type, Home home) {
-  private static final int MOST_CHOICES = 12;
-  private static final Map<String, Boolean> TRUTHS =
-      Map.of("yes", true, "true", true, "no", false, "false", false);
+/** The answers to a question that would do, as people write them. */
+interface Answers {
 
-  /** Some that would do; none where nobody could list them. */
-  List<String> choices() {
-    return type.equals("boolean")
-        ? List.of("yes", "no")
-        : things().map(Individual::name).limit(MOST_CHOICES).toList();
+  static Answers to(Question question, Home home) {
+    if (question.format().isEmpty()) {
+      return new WrittenAnswers(question.type(), home);
+    }
+    return question.format().get() instanceof AnswerFormat.Choice choice
+        ? new ChosenAnswers(choice.options(), home)
+        : new SetAnswers((AnswerFormat.Slider) question.format().get());
   }
+
+  /** What who is asked is told of them. */
+  Speech.Wanted wanted();
 
   /** What the answer stands for; empty when it would not do. */
-  Optional<Term> read(String answer) {
-    String text = answer.strip();
-    return switch (type) {
-      case "string" -> Optional.of(text).filter(some -> !some.isEmpty()).map(Term.Text::new);
-      case "boolean" ->
-          Optional.ofNullable(TRUTHS.get(text.toLowerCase(Locale.ROOT))).map(Term.Truth::new);
-      case "double", "decimal" -> number(text);
-      case "duration" -> seconds(text);
-      case "integer" ->
-          number(text)
-              .filter(n -> ((Term.Number) n).value() == Math.rint(((Term.Number) n).value()));
-      default -> thing(text);
-    };
-  }
-
-  private static Optional<Term> number(String text) {
-    return text.matches("[-+]?[0-9]{1,15}([.][0-9]{1,15})?")
-        ? Optional.of(new Term.Number(Double.parseDouble(text)))
-        : Optional.empty();
-  }
-
-  /** As people say it, it was read before, where their language is known. */
-  private static Optional<Term> seconds(String text) {
-    return number(text.replaceFirst("\\s*s(econds?)?$", ""))
-        .filter(number -> ((Term.Number) number).value() >= 0);
-  }
-
-  /** By its name, or by its label as people write it. */
-  private Optional<Term> thing(String text) {
-    return things()
-        .filter(one -> one.name().equals(text))
-        .findFirst()
-        .or(() -> things().filter(one -> one.label().equalsIgnoreCase(text)).findFirst())
-        .map(one -> new Term.Name(one.name()));
-  }
-
-  private Stream<Individual> things() {
-    return home.individuals().values().stream().filter(one -> one.classes().contains(type));
-  }
+  Optional<Term> read(String answer);
 
   /** What to write instead. */
-  String cure() {
-    return switch (type) {
-      case "string" -> "write some words";
-      case "double", "decimal" -> "write a number, such as 21.5";
-      case "integer" -> "write a whole number, such as 3";
-      case "duration" -> "say how long, such as half an hour, or 0 seconds";
-      default -> {
-        List<String> choices = choices();
-        yield choices.isEmpty()
-            ? "the home has no " + type
-            : "write " + (choices.size() == 1 ? "" : "one of ") + String.join(", ", choices);
-      }
-    };
+  String cure();
+
+  /** The number that is written there, if it is one. */
+  static Optional<Double> number(String text) {
+    return text.matches("[-+]?[0-9]{1,15}([.][0-9]{1,15})?")
+        ? Optional.of(Double.parseDouble(text))
+        : Optional.empty();
   }
 }

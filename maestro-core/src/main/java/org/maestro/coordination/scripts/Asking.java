@@ -2,6 +2,7 @@ package org.maestro.coordination.scripts;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.sl.Body;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
@@ -32,21 +33,40 @@ final class Asking extends Part {
       goOn(noted.get());
     } else if (who instanceof Term.Name name) {
       course.takesTime();
-      course
-          .voice()
-          .ask(
-              path,
-              new Question(name.text(), scope.apply(ask.words()), ask.type(), this::answered),
-              problem -> finish(new Result.Failed(problem)));
+      Question question =
+          new Question(
+              name.text(),
+              scope.apply(ask.words()),
+              ask.type(),
+              ask.format().map(scope::apply),
+              this::answered);
+      course.voice().ask(path, question, problem -> finish(new Result.Failed(problem)));
     } else {
       finish(new Result.Failed("%s hears nothing.".formatted(SlPrinter.print(who))));
     }
   }
 
-  private void answered(Term answer, String who) {
-    course.notes().value(path, answer);
-    course.told().answers(path, ask.answer().name(), SlPrinter.print(answer), who);
-    goOn(answer);
+  /** It is kept first: who is told that it is taken can rely on it. */
+  private void answered(Term answer, Respondent by, Runnable taken) {
+    Term who = scope.apply(ask.who());
+    course
+        .voice()
+        .keep(
+            path,
+            SlPrinter.print(who),
+            scope.apply(ask.words()),
+            answer,
+            by,
+            () -> {
+              if (!isOver()) {
+                course.notes().value(path, answer);
+                course
+                    .told()
+                    .answers(path, ask.answer().name(), SlPrinter.print(answer), by.name());
+                goOn(answer);
+              }
+              taken.run();
+            });
   }
 
   private void goOn(Term answer) {

@@ -95,7 +95,7 @@ final class Course {
     this.notes = new Notes(goalId, ports.journal());
     this.told = new ScriptStory(goalId, ports);
     this.steps = new StepsOfScript(ports.clock());
-    this.voice = new Voice(ports, activeGoals, notes, told);
+    this.voice = new Voice(ports, activeGoals, whole.goal(), notes, told);
   }
 
   static Scope scope(Script script, List<Term> arguments, int depth) {

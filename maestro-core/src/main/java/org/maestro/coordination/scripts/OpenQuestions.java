@@ -4,9 +4,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.maestro.coordination.api.AnswerRefusal;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.ontology.home.Home;
-import org.maestro.sl.Term;
 
 /** The questions of one script that nobody has answered yet, by their parts' paths. */
 final class OpenQuestions {
@@ -27,24 +28,35 @@ final class OpenQuestions {
   /**
    * Takes an answer that would do; one that would not leaves the question open.
    *
-   * @return why it is not taken; empty when it is
+   * @param then told once why it is not taken; nothing when it is
    */
-  Optional<AnswerRefusal> answer(String path, String part, String text, String who, Home home) {
+  void answer(
+      String path,
+      String part,
+      String text,
+      Respondent by,
+      Home home,
+      Consumer<Optional<AnswerRefusal>> then) {
     Question question = open.get(path);
     if (question == null) {
-      return Optional.of(AnswerRefusal.notOpen(part));
+      then.accept(Optional.of(AnswerRefusal.notOpen(part)));
+      return;
     }
-    Answers answers = new Answers(question.type(), home);
-    Optional<Term> answer = answers.read(text);
-    if (answer.isEmpty()) {
-      return Optional.of(
-          new AnswerRefusal(
-              "%s is not answered by \"%s\"; %s.".formatted(part, text.strip(), answers.cure()),
-              true));
-    }
-    open.remove(path);
-    question.answered().accept(answer.get(), who);
-    return Optional.empty();
+    Answers answers = Answers.to(question, home);
+    answers
+        .read(text)
+        .ifPresentOrElse(
+            answer -> {
+              open.remove(path);
+              question.answered().with(answer, by, () -> then.accept(Optional.empty()));
+            },
+            () ->
+                then.accept(
+                    Optional.of(
+                        new AnswerRefusal(
+                            "%s is not answered by \"%s\"; %s."
+                                .formatted(part, text.strip(), answers.cure()),
+                            true))));
   }
 
   /** What is waited for, for the list of goals. */

@@ -1,13 +1,26 @@
 package org.maestro.coordination.scripts;
 
 import java.util.List;
-import java.util.function.BiConsumer;
+import java.util.Optional;
+import org.maestro.coordination.api.Respondent;
+import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.Term;
 
 /**
  * A question of a script to people.
  *
  * @param type see {@link org.maestro.sl.Body.Ask}
- * @param answered told once what the first answer that would do stands for, and whose it is
+ * @param format of the answer, where it is chosen instead of written
  */
-record Question(String who, List<Term> words, String type, BiConsumer<Term, String> answered) {}
+record Question(
+    String who, List<Term> words, String type, Optional<AnswerFormat> format, Answered answered) {
+
+  /** Told once of the first answer that would do. */
+  interface Answered {
+    /**
+     * @param answer what it stands for
+     * @param taken to be run when it is taken
+     */
+    void with(Term answer, Respondent by, Runnable taken);
+  }
+}

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.Content;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
@@ -37,6 +38,12 @@ record Scope(Map<String, Term> values, int depth) {
 
   List<Term> apply(List<Term> terms) {
     return terms.stream().map(this::apply).toList();
+  }
+
+  AnswerFormat apply(AnswerFormat format) {
+    return format instanceof AnswerFormat.Choice choice
+        ? new AnswerFormat.Choice(apply(choice.options()))
+        : format;
   }
 
   Content apply(Content content) {

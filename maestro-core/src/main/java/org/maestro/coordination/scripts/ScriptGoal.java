@@ -17,6 +17,7 @@ import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.WaitsFor;
@@ -163,10 +164,11 @@ public final class ScriptGoal implements GoalOfGoals {
   /**
    * Takes an answer to a question of one of its parts.
    *
-   * @return why it is not taken; empty when it is, and is being written down
+   * @param then told once why it is not taken; nothing when it is, and is being written down
    */
-  public Optional<AnswerRefusal> answer(String part, String text, String who) {
-    return course.voice().answer(part.substring(id().length() + 1), text, who);
+  public void answer(
+      String part, String text, Respondent by, Consumer<Optional<AnswerRefusal>> then) {
+    course.voice().answer(part.substring(id().length() + 1), text, by, then);
   }
 
   private void partEnded(GoalOutcome part) {

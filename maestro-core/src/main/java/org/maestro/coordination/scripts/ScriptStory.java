@@ -3,9 +3,9 @@ package org.maestro.coordination.scripts;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.sl.SlPrinter;
@@ -66,12 +66,16 @@ final class ScriptStory {
         "Shows that it is %s, by %s.".formatted(mood.word(), SlPrinter.print(mood.intensity())));
   }
 
-  void asks(String path, String who, String text) {
+  void asks(String path, Speech question) {
     tell(
         StoryEntry.Kind.SAID,
         path,
-        "Asks %s: \"%s\" Answer by ./maestro answer %s, or in the chat."
-            .formatted(who, text, GoalId.part(goalId, path)));
+        "Asks %s: \"%s\" %sAnswer by ./maestro answer %s, or in the chat."
+            .formatted(
+                question.to(),
+                question.text(),
+                question.wanted().flatMap(Speech.Wanted::inWords).map(it -> it + " ").orElse(""),
+                question.part()));
   }
 
   void tells(String path, String agent, String message) {

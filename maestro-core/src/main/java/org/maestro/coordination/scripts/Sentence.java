@@ -29,6 +29,14 @@ final class Sentence {
     return sentence.toString();
   }
 
+  /** As it can be written down for programs: of a text the text alone, of a thing its name. */
+  static String plain(Term term) {
+    if (term instanceof Term.Text text) {
+      return text.value();
+    }
+    return term instanceof Term.Name name ? name.text() : SlPrinter.print(term);
+  }
+
   private static String text(Term word, Home home) {
     if (word instanceof Term.Text text) {
       return text.value();

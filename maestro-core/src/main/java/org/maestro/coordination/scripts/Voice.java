@@ -4,12 +4,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.coordination.api.AnswerRefusal;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Content;
+import org.maestro.sl.Formula;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
@@ -20,13 +23,18 @@ import org.maestro.sl.Term;
 final class Voice {
   private final Ports ports;
   private final ActiveGoals activeGoals;
+  private final Formula goal;
   private final Notes notes;
   private final ScriptStory told;
   private final OpenQuestions questions = new OpenQuestions();
 
-  Voice(Ports ports, ActiveGoals activeGoals, Notes notes, ScriptStory told) {
+  /**
+   * @param goal that asks for the script
+   */
+  Voice(Ports ports, ActiveGoals activeGoals, Formula goal, Notes notes, ScriptStory told) {
     this.ports = ports;
     this.activeGoals = activeGoals;
+    this.goal = goal;
     this.notes = notes;
     this.told = told;
   }
@@ -75,12 +83,11 @@ final class Voice {
             notes.partId(path),
             question.who(),
             Sentence.of(question.words(), home),
-            Optional.of(
-                new Speech.Wanted(question.type(), new Answers(question.type(), home).choices())));
+            Optional.of(Answers.to(question, home).wanted()));
     Consumer<Optional<String>> asked =
         problem -> {
           if (problem.isEmpty()) {
-            told.asks(path, question.who(), speech.text());
+            told.asks(path, speech);
           } else if (questions.isOpen(path)) {
             questions.withdraw(path);
             activeGoals.run(() -> failed.accept(problem.get()));
@@ -94,6 +101,25 @@ final class Voice {
                 ports.messenger().say(speech, asked);
               }
             });
+  }
+
+  /**
+   * An answer is kept beyond the script.
+   *
+   * @param then run once it is, or cannot be
+   */
+  void keep(String path, String to, List<Term> words, Term answer, Respondent by, Runnable then) {
+    GivenAnswer given =
+        new GivenAnswer(
+            ports.clock().instant(),
+            goal instanceof Formula.Atom atom ? atom.predicate() : "",
+            SlPrinter.print(goal),
+            notes.partId(path),
+            to,
+            by,
+            Sentence.of(words, ports.knowledge().home()),
+            Sentence.plain(answer));
+    ports.messenger().keep(given, () -> activeGoals.run(then));
   }
 
   /** A mood is shown as something is said. */
@@ -114,8 +140,8 @@ final class Voice {
   }
 
   /** See {@link OpenQuestions#answer}. */
-  Optional<AnswerRefusal> answer(String path, String text, String who) {
-    return questions.answer(path, notes.partId(path), text, who, ports.knowledge().home());
+  void answer(String path, String text, Respondent by, Consumer<Optional<AnswerRefusal>> then) {
+    questions.answer(path, notes.partId(path), text, by, ports.knowledge().home(), then);
   }
 
   /** Questions that wait for an answer, in words. */

@@ -210,7 +210,8 @@ public final class GoalWords {
                     .orElseGet(() -> phrases.of("something")));
   }
 
-  private Optional<String> deed(Wish wish) {
+  /** What is to be done for it, after "to"; empty when there are no words for it. */
+  public Optional<String> deed(Wish wish) {
     return wish.goal().flatMap(deeds::of);
   }
 

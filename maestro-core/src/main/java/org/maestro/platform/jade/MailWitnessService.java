@@ -11,6 +11,7 @@ import jade.core.VerticalCommand;
 import jade.core.messaging.GenericMessage;
 import jade.core.messaging.MessagingSlice;
 import jade.lang.acl.ACLMessage;
+import org.maestro.rats.time.HybridClock;
 
 /**
  * A JADE kernel service that lets the {@link MailWitness} see the mail of its container. JADE makes
@@ -25,7 +26,7 @@ public final class MailWitnessService extends BaseService {
 
   private final Filter outgoing = new Mail(FIRST_TO_SEE, this::sent);
   private final Filter incoming = new Mail(AFTER_DECODING, this::delivered);
-  private MailWitness witness = new MailWitness();
+  private MailWitness witness = new MailWitness(HybridClock.ofProcess());
 
   // JADE makes a service by its class name, and says where it is before anything uses it.
   @SuppressWarnings("NullAway.Init")

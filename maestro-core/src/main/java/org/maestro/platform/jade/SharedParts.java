@@ -2,6 +2,7 @@ package org.maestro.platform.jade;
 
 import org.maestro.agents.pulse.ProcessPulse;
 import org.maestro.platform.wires.Wires;
+import org.maestro.rats.time.HybridClock;
 
 /**
  * The parts common to the containers that one platform has in this process.
@@ -14,6 +15,7 @@ public record SharedParts(Wires wires, ProcessPulse pulse, MailWitness mail) {
 
   /** For the first of them. */
   public static SharedParts fresh() {
-    return new SharedParts(new Wires(), new ProcessPulse(), new MailWitness());
+    return new SharedParts(
+        new Wires(), new ProcessPulse(), new MailWitness(HybridClock.ofProcess()));
   }
 }

@@ -19,13 +19,16 @@ public final class Chronicle implements Journal {
   private final Journal journal;
   private final Clock clock;
   private final JournalImage image;
+  private final Consumer<JournalEntry> listener;
 
   /**
    * @param past with which the process began
+   * @param listener told of each entry, on the thread that writes it; it must not block
    */
-  public Chronicle(Journal journal, Clock clock, Recovery past) {
+  public Chronicle(Journal journal, Clock clock, Recovery past, Consumer<JournalEntry> listener) {
     this.journal = journal;
     this.clock = clock;
+    this.listener = listener;
     this.image = JournalImage.of(past, clock.now());
   }
 
@@ -46,7 +49,12 @@ public final class Chronicle implements Journal {
         refused);
   }
 
-  private synchronized void note(JournalEntry entry) {
+  private void note(JournalEntry entry) {
+    remember(entry);
+    listener.accept(entry);
+  }
+
+  private synchronized void remember(JournalEntry entry) {
     image.add(new JournalImage.Dated(clock.now(), entry));
     if (entry instanceof JournalEntry.Over) {
       image.forgetEnded(clock.now().minus(ENDED_GOALS_ARE_KEPT), MOST_BYTES_OF_ENDED_GOALS);

@@ -7,6 +7,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.maestro.ontology.validation.Nearest;
 import org.maestro.ontology.vocabulary.NameCheck;
+import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.Body;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
@@ -55,14 +56,22 @@ final class BodyCheck {
     } else if (body instanceof Body.Ask ask) {
       names(variables).check(ask.who());
       ask.words().forEach(names(variables)::check);
+      ask.format().ifPresent(format -> options(format).forEach(names(variables)::check));
       speech.check(ask, variables);
-      Map<String, List<String>> inside =
-          with(variables, ask.answer().name(), List.of(SpeechCheck.answer(ask)));
+      Map<String, List<String>> inside = with(variables, ask.answer().name(), types(ask));
       ask.parts().forEach(part -> check(part, inside));
     } else {
       step(body, variables);
       body.parts().forEach(part -> check(part, variables));
     }
+  }
+
+  private static List<Term> options(AnswerFormat format) {
+    return format instanceof AnswerFormat.Choice choice ? choice.options() : List.of();
+  }
+
+  private static List<String> types(Body.Ask ask) {
+    return ask.format().map(AnswerFormatCheck::types).orElseGet(() -> List.of(SpeechCheck.answer(ask)));
   }
 
   private void step(Body body, Map<String, List<String>> variables) {

@@ -30,11 +30,13 @@ final class SpeechCheck {
 
   private final Home home;
   private final TermFit fit;
+  private final AnswerFormatCheck formats;
   private final BiConsumer<String, String> problems;
 
   SpeechCheck(Home home, BiConsumer<String, String> problems) {
     this.home = home;
     this.fit = new TermFit(home);
+    this.formats = new AnswerFormatCheck(problems);
     this.problems = problems;
   }
 
@@ -56,6 +58,7 @@ final class SpeechCheck {
 
   void check(Body.Ask ask, Map<String, List<String>> variables) {
     hears(ask.who(), variables);
+    ask.format().ifPresent(formats::check);
     String type = ask.type();
     Set<String> classes = home.vocabulary().classes().keySet();
     if (!ANSWERS.contains(type) && !classes.contains(type)) {

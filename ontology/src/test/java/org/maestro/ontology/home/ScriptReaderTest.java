@@ -117,6 +117,8 @@ class ScriptReaderTest {
         "(foreach (?i - Item) (in ?i zone-a) (look ?i))",
         "(seq (ask Bob \\\"Which room?\\\" ?room Zone) (do move rose :to ?room) (wait 1))",
         "(ask room-a \\\"Shall I?\\\" ?yes boolean (if (= ?yes true) (achieve (open door-ab))))",
+        "(seq (ask Bob \\\"How much?\\\" ?n (slider 0 1 0.1 \\\"no\\\" \\\"all\\\")) (wait ?n))",
+        "(seq (ask Bob \\\"Who?\\\" ?who2 (choice Bob \\\"nobody\\\")) (if (= ?who2 \\\"nobody\\\") (wait 1)))",
         "(seq (ask Bob \\\"How long?\\\" ?s double) (ask Bob \\\"And\\\" ?s \\\"more?\\\" ?t double)"
             + " (wait ?t))",
         "(tell somebody (whatever it \\\"is\\\"))",
@@ -258,6 +260,16 @@ class ScriptReaderTest {
         "(seq (if (open door-ab) (ask Bob \\\"Well?\\\" ?x)) (return ?x))"
             + " | body uses ?x, which nothing binds",
         "(seq (ask Bob \\\"Well?\\\" ?x) (run faulty ?room ?who)) | body runs itself without an end",
+        "(ask Bob \\\"Well?\\\" ?x (choice \\\"a\\\"))"
+            + " | body has a choice of 1; write from two to 50 options",
+        "(ask Bob \\\"Well?\\\" ?x (choice Bob Cup Bob)) | body has the same option twice in a choice",
+        "(ask Bob \\\"Well?\\\" ?x (choice Bop \\\"nobody\\\")) | body names Bop, which is not described",
+        "(ask Bob \\\"Well?\\\" ?x (slider 7 1 1)) | body has a slider from 7 to 1 by steps of 1; let whole"
+            + " steps, 10000 at most, lead from the lowest number to the highest",
+        "(ask Bob \\\"Well?\\\" ?x (slider 0 1 0.3)) | body has a slider from 0 to 1 by steps of 0.3",
+        "(ask Bob \\\"Well?\\\" ?x (slider 0 1 0)) | body has a slider from 0 to 1 by steps of 0",
+        "(seq (ask Bob \\\"Well?\\\" ?x (slider 0 1 0.5)) (do move rose :to ?x))"
+            + " | body gives ?x for :to of move, which cannot be that",
         "(express glad 3) | body expresses something by 3, which is no number from 0 to 1;"
             + " write how much, such as (express glad 0.8)",
         "(express glad very) | body names very, which is not described",

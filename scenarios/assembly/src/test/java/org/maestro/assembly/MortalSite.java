@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.coordination.Coordinator;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
@@ -22,6 +23,7 @@ import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Messenger;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Speech;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
@@ -218,13 +220,18 @@ final class MortalSite implements AutoCloseable {
         send(part + " " + SlPrinter.print(message), then);
       }
 
+      @Override
+      public void keep(GivenAnswer answer, Runnable then) {
+        clock.schedule(DECISION, CONTROLLER, () -> unlessDead(then));
+      }
+
       /** Asked again is who was not told that the answer was taken. */
       private void answer(String part) {
         assertThat(answered).as("answers that were taken").doesNotContain(part);
         coordinator.answer(
             part,
             "yes",
-            "somebody",
+            new Respondent("somebody"),
             refusal -> {
               assertThat(refusal).isEmpty();
               answered.add(part);

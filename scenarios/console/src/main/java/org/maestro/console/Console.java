@@ -13,7 +13,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.console.access.Access;
 import org.maestro.console.access.Readership;
+import org.maestro.console.api.AnswerOperations;
 import org.maestro.console.api.Api;
+import org.maestro.console.api.DayOperations;
 import org.maestro.console.api.HistoryOperations;
 import org.maestro.console.api.OpenApiDocument;
 import org.maestro.console.api.Operation;
@@ -106,12 +108,19 @@ public final class Console implements AutoCloseable {
                 .operations());
     operations.addAll(new SessionOperations(access).operations());
     operations.addAll(PlanOperations.of(questions, readership, platform::now));
+    operations.addAll(
+        new AnswerOperations(platform::answers, platform.knowledge()::home, readership)
+            .operations());
     operations.addAll(states.operations());
     operations.addAll(traffic.operations());
     operations.addAll(talk.operations());
     operations.addAll(TruthOperations.of(truth));
     operations.addAll(new MemberOperations(platform, traffic.roundTrips()).operations());
     operations.addAll(new HistoryOperations(history, lookingBack::work).operations());
+    operations.add(
+        new DayOperations(
+                platform.diary(), platform.knowledge()::home, readership, lookingBack::work)
+            .operation());
     ObjectNode document = OpenApiDocument.of(operations, version);
     Metrics metrics =
         new Metrics(

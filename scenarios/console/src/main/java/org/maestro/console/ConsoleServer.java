@@ -227,7 +227,7 @@ final class ConsoleServer implements AutoCloseable {
           } else {
             context
                 .status(operation.status())
-                .contentType("application/json")
+                .contentType(operation.media())
                 .result(Objects.requireNonNull(document).toString());
           }
           metrics.answered(

@@ -76,6 +76,7 @@ final class Talk implements AutoCloseable {
   void begin() {
     platform.onStory(entry -> readership.toAll(entry).ifPresent(stories::tell));
     platform.desk().whenSaid(chat::hear);
+    platform.desk().whenAnswered(chat::hear);
     platform
         .desk()
         .whenShown(

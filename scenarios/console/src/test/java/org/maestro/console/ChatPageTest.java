@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Predicate;
@@ -35,6 +36,9 @@ class ChatPageTest {
             home:offer a maestro:Script ; maestro:arguments ( "?whom - Listener" ) ;
               maestro:body \"""(seq (ask ?whom "How bright?" ?lux double)
                 (ask ?whom "Shall it stay?" ?stay boolean) (return ?lux))\""" .
+            home:rate a maestro:Script ; maestro:arguments ( "?whom - Listener" ) ;
+              maestro:body \"""(seq (ask ?whom "How was it?" ?how (choice "good" "=fair" "bad"))
+                (ask ?whom "How sure are you?" ?sure (slider 1 7 2 "not at all" "very")) (return ?sure))\""" .
             """);
   }
 
@@ -195,6 +199,47 @@ class ChatPageTest {
     home.assertValid(home.get("/chat").document(), "chat");
   }
 
+  @Test
+  void whatIsChosenOrSetIsKeptAndToBeHadAsAFile() throws Exception {
+    String goal = home.state("(rate Bob)");
+    JsonNode choice = asked(goal, "How was it?");
+    assertThat(choice.path("choice").toString()).isEqualTo("[\"good\",\"=fair\",\"bad\"]");
+    assertThat(choice.path("slider").isNull()).isTrue();
+    assertThat(answered(goal + ".1", "=fair", "Alice").problem())
+        .isEqualTo("This home has no person Alice; it has Bob.");
+    assertThat(answered(goal + ".1", "4", "Bob").problem())
+        .isEqualTo(goal + ".1 is not answered by \"4\"; write one of good, =fair, bad.");
+    assertThat(answered(goal + ".1", "=fair", "Bob").status()).isEqualTo(204);
+    JsonNode slider = asked(goal, "How sure are you?").path("slider");
+    assertThat(slider.path("step").asInt()).isEqualTo(2);
+    assertThat(slider.path("highest_label").asText()).isEqualTo("very");
+    assertThat(answered(goal + ".1.1.1", "4", "Bob").problem()).contains("by steps of 2.");
+    assertThat(answered(goal + ".1.1.1", "5", "Bob").status()).isEqualTo(204);
+    home.assertValid(home.get("/chat").document(), "chat");
+
+    JsonNode answers = home.get("/answers?script=rate").document();
+    home.assertValid(answers, "answers");
+    assertThat(ofGoal(answers, goal)).containsExactly("=fair", "5");
+    assertThat(home.get("/answers?script=greet").document().path("answers")).isEmpty();
+    HttpResponse<String> csv = home.whole("/api/v1/answers.csv?script=rate");
+    assertThat(csv.headers().firstValue("Content-Type")).contains("text/csv");
+    assertThat(csv.body()).contains("\"Bob\",\"How was it?\",\"'=fair\",\"rate\",\"(rate Bob)\"");
+  }
+
+  private static ServedHome.Answer answered(String question, String text, String person)
+      throws Exception {
+    return home.post(
+        "/questions/" + question + "/answer",
+        new ObjectMapper().createObjectNode().put("text", text).put("person", person).toString());
+  }
+
+  private static List<String> ofGoal(JsonNode answers, String goal) {
+    return StreamSupport.stream(answers.path("answers").spliterator(), false)
+        .filter(answer -> answer.path("part").asText().startsWith(goal + "."))
+        .map(answer -> answer.path("answer").asText())
+        .toList();
+  }
+
   /** Whoever is in the room may answer, and who cancels the script is asked nothing any more. */
   @Test
   void aQuestionInARoomIsAnsweredByTheOperationToo() throws Exception {
@@ -269,6 +314,34 @@ class ChatPageTest {
 
     assertThat(answer.status()).isEqualTo(400);
     assertThat(answer.problem()).contains("longer than 2000 characters");
+  }
+
+  @Test
+  void onThePageAChoiceIsRadioButtonsAndANumberASlider() throws Exception {
+    assumeTrue(
+        Browser.isThere(),
+        "The page is not tried: there is no chromium with its chromedriver; .ci/install installs them.");
+    try (Browser browser = Browser.open()) {
+      browser.size(1440, 900);
+      browser.complaints();
+      browser.go(home.uri() + "/#view=chat&room=room-a");
+      browser.waitForText("#chat-person", "Bob");
+      String goal = home.state("(rate room-a)");
+
+      browser.waitForText("#chat-question legend", "How was it?");
+      Accessibility.assertForEverybody(browser, "#chat-question .options", "=fair");
+      browser.waitFor("#chat-answer-0").sendKeys(Keys.SPACE, Keys.ARROW_DOWN, Keys.ARROW_DOWN);
+      browser.click("#chat-question button");
+
+      browser.waitForText("#chat-question legend", "How sure are you?");
+      Accessibility.assertForEverybody(browser, "#chat-question .ends", "7: very");
+      browser.waitFor("#chat-answer").sendKeys(Keys.END, Keys.ARROW_LEFT);
+      browser.waitForText("#chat-question output", "5");
+      browser.waitFor("#chat-answer").sendKeys(Keys.ENTER);
+      browser.waitFor("#chat-question[hidden]");
+      assertThat(ofGoal(home.get("/answers").document(), goal)).containsExactly("bad", "5");
+      assertThat(browser.complaints()).isEmpty();
+    }
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.maestro.console;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
@@ -74,6 +75,28 @@ class PastPageTest {
         "[...document.querySelectorAll('#detail tbody tr')]"
             + ".find(row => row.textContent.includes(arguments[0])).click()",
         what);
+  }
+
+  @Test
+  void theDayOfAPersonIsToldInSentences() throws Exception {
+    JsonNode day = home.get("/days/Bob").document();
+    home.assertValid(day, "day");
+    assertThat(day.path("requests")).isNotEmpty();
+    assertThat(home.get("/days/Bobb").problem())
+        .isEqualTo("This home has no person Bobb; write Bob, if that is meant.");
+    assertThat(home.get("/days/Bob?date=2026-13-01").problem())
+        .isEqualTo("date is a day such as 2026-01-31, not \"2026-13-01\".");
+    assertThat(home.get("/days/Bob?date=2020-02-29").problem())
+        .startsWith("Nothing is kept of 2020-02-29;");
+
+    browser.complaints();
+    browser.go(home.uri() + "/#view=history");
+    browser.waitForText("#day-person", "Bob");
+    browser.run("document.querySelector('#day').open = true");
+    browser.waitFor("#day-form button").sendKeys(Keys.ENTER);
+    browser.waitForText("#day-told", "asks me to");
+    Accessibility.assertForEverybody(browser, "#day-told", "asks me to");
+    assertThat(browser.complaints()).isEmpty();
   }
 
   /** What is drawn before the answer is what is so now, and the bar claims nothing else. */

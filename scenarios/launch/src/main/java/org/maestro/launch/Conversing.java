@@ -109,12 +109,13 @@ final class Conversing {
         code = ExitCode.BAD_INPUT;
         lines.accept(text);
       }
-      case "said" -> {
+      case "said", "answered" -> {
         // One's own words, and those of who speaks as the same person elsewhere.
       }
       default -> {
         answered = answered || goal.isEmpty();
         lines.accept(text);
+        WantedAnswers.of(entry).forEach(lines);
       }
     }
   }

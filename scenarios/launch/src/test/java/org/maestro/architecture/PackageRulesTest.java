@@ -28,6 +28,7 @@ class PackageRulesTest {
     "org.maestro.persons..",
     "org.maestro.language..",
     "org.maestro.dialogue..",
+    "org.maestro.diary..",
     "org.maestro.deployment..",
     "org.maestro.storage..",
     "org.maestro.text..",
@@ -205,6 +206,7 @@ class PackageRulesTest {
               "org.maestro.persons..",
               "org.maestro.language..",
               "org.maestro.dialogue..",
+              "org.maestro.diary..",
               "org.maestro.deployment..")
           .should()
           .dependOnClassesThat()

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * A question of a script is answered from the command line, and stays one while the platform is
- * killed and started again; an answer that was taken is not asked for twice.
+ * killed and started again; an answer that was taken is not asked for twice, and is kept.
  */
 @Isolated("its time is wall time, which others beside it would take")
 class AnswerCommandTest {
@@ -70,6 +70,16 @@ class AnswerCommandTest {
       assertThat(story().split(Pattern.quote(ASKING), -1))
           .as("asked once in each of two lives")
           .hasSize(3);
+      assertThat(ended("answers", "brighten", "--csv").lines())
+          .satisfiesExactly(
+              head -> assertThat(head).startsWith("0 \"at\",\"person\",\"question\",\"answer\""),
+              first -> assertThat(first).contains("\"Bob\",\"How bright?\",\"40\",\"brighten\""),
+              second -> assertThat(second).contains("\"Bob\",\"Now?\",\"true\",\"brighten\""));
+      assertThat(ended("answers", "dim"))
+          .isEqualTo("0 Nobody has answered anything to a script named dim yet.");
+      String document = ended("answers", "--json").substring("0 ".length());
+      assertThat(CommandSchemas.valid("answers", document).path("answers").findValuesAsText("part"))
+          .containsExactly("G1.1", "G1.1.1.1");
       assertThat(platform.isAlive()).isTrue();
     }
   }

@@ -75,6 +75,11 @@ class JsonOfPlatformTest {
           .contains("goal", "plan", "end");
       assertThat(document("trace", 0, "trace", "G1").path("trace").findValuesAsText("layer"))
           .contains("story", "agents", "bus");
+      JsonNode day = document("day", 0, "day", "Bob");
+      assertThat(day.at("/requests/0/goal").asText()).isEqualTo("(canSee ?who Bob)");
+      assertThat(day.at("/requests/0/end").asText()).isEqualTo("reached");
+      assertThat(day.path("told").findValuesAsText("text"))
+          .anyMatch(text -> text.startsWith("Somebody asks me to "));
       assertThat(document("words", 0, "words").path("words").findValuesAsText("unit"))
           .contains("lux");
     }

@@ -131,7 +131,8 @@ public final class Api {
                     questions.answer(
                         request.parameter("question"),
                         request.body().path("text").asText(),
-                        request.visit().person()))
+                        request.visit().person(),
+                        text(request.body(), "person")))
             .with(Parameter.path("question", "The part of a script that asks, such as G1.2."))
             .taking("answer-request"),
         get(

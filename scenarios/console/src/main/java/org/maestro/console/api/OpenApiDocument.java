@@ -13,7 +13,6 @@ import org.maestro.rats.security.Role;
 /** The OpenAPI document of the operations that are answered. */
 public final class OpenApiDocument {
   private static final String PROBLEM = "problem";
-  private static final String JSON = "application/json";
 
   /** What each operation may answer when it does not do what it is for. */
   private static final SortedMap<Integer, String> PROBLEMS =
@@ -105,11 +104,13 @@ public final class OpenApiDocument {
     }
     operation
         .body()
-        .ifPresent(name -> refer(node.putObject("requestBody").put("required", true), name));
+        .ifPresent(
+            name ->
+                refer(node.putObject("requestBody").put("required", true), Operation.JSON, name));
     ObjectNode responses = node.putObject("responses");
     ObjectNode good = responses.putObject(String.valueOf(operation.status()));
     good.put("description", "It is done.");
-    operation.answer().ifPresent(name -> refer(good, name));
+    operation.answer().ifPresent(name -> refer(good, operation.media(), name));
     problems(responses);
   }
 
@@ -133,12 +134,13 @@ public final class OpenApiDocument {
         (status, description) ->
             refer(
                 responses.putObject(String.valueOf(status)).put("description", description),
+                Operation.JSON,
                 PROBLEM));
   }
 
-  private static void refer(ObjectNode node, String schema) {
+  private static void refer(ObjectNode node, String media, String schema) {
     node.putObject("content")
-        .putObject(JSON)
+        .putObject(media)
         .putObject("schema")
         .put("$ref", "#/components/schemas/" + schema);
   }

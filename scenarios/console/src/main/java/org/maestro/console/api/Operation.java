@@ -20,6 +20,7 @@ import org.maestro.rats.security.Role;
  * @param body the schema of what it takes; empty: nothing
  * @param status of a good answer
  * @param answer the schema of that answer; empty: it has no content
+ * @param media the type of that content
  */
 public record Operation(
     Method method,
@@ -32,7 +33,12 @@ public record Operation(
     Optional<String> body,
     int status,
     Optional<String> answer,
+    String media,
     Action action) {
+  /** The type of what is no JSON but a text with a line for each record (RFC 4180). */
+  public static final String CSV = "text/csv";
+
+  static final String JSON = "application/json";
   private static final int OK = 200;
   private static final int NO_CONTENT = 204;
 
@@ -96,6 +102,11 @@ public record Operation(
       return new Parameter(name, false, "string", true, description);
     }
 
+    /** One that may be left away. */
+    public static Parameter perhaps(String name, String description) {
+      return new Parameter(name, false, "string", false, description);
+    }
+
     public static Parameter number(String name, String description) {
       return new Parameter(name, false, "integer", false, description);
     }
@@ -137,6 +148,24 @@ public record Operation(
         Optional.empty(),
         OK,
         Optional.of(answer),
+        JSON,
+        action);
+  }
+
+  /** What has records to answer, for programs that calculate with them. */
+  public static Operation csv(String path, String id, String summary, Action action) {
+    return new Operation(
+        Method.GET,
+        path,
+        id,
+        summary,
+        List.of(),
+        Optional.of(Role.VIEWER),
+        false,
+        Optional.empty(),
+        OK,
+        Optional.of("csv"),
+        CSV,
         action);
   }
 
@@ -154,12 +183,24 @@ public record Operation(
         Optional.empty(),
         NO_CONTENT,
         Optional.empty(),
+        JSON,
         action);
   }
 
   public Operation with(Parameter... more) {
     return new Operation(
-        method, path, id, summary, List.of(more), needs, urgent, body, status, answer, action);
+        method,
+        path,
+        id,
+        summary,
+        List.of(more),
+        needs,
+        urgent,
+        body,
+        status,
+        answer,
+        media,
+        action);
   }
 
   /** The same for those of the role, and of any that includes it. */
@@ -170,7 +211,7 @@ public record Operation(
   /** The same however much else is asked. */
   public Operation atOnce() {
     return new Operation(
-        method, path, id, summary, parameters, needs, true, body, status, answer, action);
+        method, path, id, summary, parameters, needs, true, body, status, answer, media, action);
   }
 
   /** The same for who has not signed in, too. */
@@ -180,7 +221,7 @@ public record Operation(
 
   private Operation by(Optional<Role> role) {
     return new Operation(
-        method, path, id, summary, parameters, role, urgent, body, status, answer, action);
+        method, path, id, summary, parameters, role, urgent, body, status, answer, media, action);
   }
 
   public Operation taking(String schema) {
@@ -195,6 +236,7 @@ public record Operation(
         Optional.of(schema),
         status,
         answer,
+        media,
         action);
   }
 
@@ -210,6 +252,7 @@ public record Operation(
         body,
         good,
         Optional.of(schema),
+        media,
         action);
   }
 }

@@ -8,8 +8,10 @@ public interface Answering {
 
   /**
    * @param question the part of a script that asks
-   * @param person who has signed in; empty on an open site
+   * @param user who has signed in; empty on an open site
+   * @param person of the home whose answer it is
    * @return done when it is taken; refused with the sentence why it is not
    */
-  CompletableFuture<Void> answer(String question, String text, Optional<String> person);
+  CompletableFuture<Void> answer(
+      String question, String text, Optional<String> user, Optional<String> person);
 }

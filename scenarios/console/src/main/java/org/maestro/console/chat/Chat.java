@@ -19,6 +19,7 @@ import org.maestro.console.documents.ShownText;
 import org.maestro.console.questions.RefusalException;
 import org.maestro.console.traffic.Ring;
 import org.maestro.console.traffic.Source;
+import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Dialogues;
@@ -189,7 +190,11 @@ public final class Chat implements Source {
 
   private void answer(Speech question, Utterance utterance) {
     answering
-        .answer(question.part(), dialogues.answer(utterance, question), utterance.asker())
+        .answer(
+            question.part(),
+            dialogues.answer(utterance, question),
+            utterance.asker(),
+            Optional.of(utterance.person()))
         .thenAccept(done -> answered(question, utterance))
         .exceptionally(
             failure -> {
@@ -236,10 +241,21 @@ public final class Chat implements Source {
    * the room, is the answer to a question.
    */
   public void hear(Speech speech) {
-    boolean isForOne = new UtteranceCheck(home.get()).persons().contains(speech.to());
-    add(
-        ChatEntry.spoken(
-            speech, isForOne ? speech.to() : "", isForOne ? "" : speech.to(), wall.instant()));
+    add(ChatEntry.spoken(speech, person(speech.to()), room(speech.to()), wall.instant()));
+  }
+
+  /** A question of a script is answered, by whatever way, and open no more. */
+  public void hear(GivenAnswer answer) {
+    add(ChatEntry.answered(answer, person(answer.to()), room(answer.to()), wall.instant()));
+  }
+
+  /** Who is spoken to, where that is one; "": all who are somewhere. */
+  private String person(String to) {
+    return new UtteranceCheck(home.get()).persons().contains(to) ? to : "";
+  }
+
+  private String room(String to) {
+    return person(to).isEmpty() ? to : "";
   }
 
   /** An agent shows a mood, to all who look. */
@@ -276,6 +292,7 @@ public final class Chat implements Source {
           .text("question", entry.question());
       row.node().put("text", ShownText.of(entry.text()));
       row.words("near", entry.near().stream().map(ShownText::of).toList());
+      ChoiceMembers.add(row, entry.wanted());
     }
     return document.node();
   }

@@ -3,6 +3,8 @@ package org.maestro.console.chat;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.maestro.coordination.api.GivenAnswer;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Mood;
 import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Utterance;
@@ -16,7 +18,8 @@ import org.maestro.sl.SlPrinter;
  * @param kind of it, in a word
  * @param goal of which it tells
  * @param near what could be said instead, or as an answer
- * @param question the part of a script that asks, where one does
+ * @param question the part of a script that asks, where one does, or is answered
+ * @param wanted the answer that it wants, while it asks
  */
 record ChatEntry(
     Instant at,
@@ -26,7 +29,8 @@ record ChatEntry(
     Optional<String> goal,
     String text,
     List<String> near,
-    Optional<String> question) {
+    Optional<String> question,
+    Optional<Speech.Wanted> wanted) {
   private static final long WEIGHT_OF_THE_REST = 100;
 
   static ChatEntry said(Utterance utterance, Instant at) {
@@ -68,7 +72,22 @@ record ChatEntry(
         Optional.of(speech.goalId()),
         speech.text(),
         speech.wanted().map(Speech.Wanted::choices).orElse(List.of()),
-        speech.wanted().map(wanted -> speech.part()));
+        speech.wanted().map(wanted -> speech.part()),
+        speech.wanted());
+  }
+
+  /** That a script has taken an answer, where its question was; what it is not all may read. */
+  static ChatEntry answered(GivenAnswer answer, String person, String room, Instant at) {
+    return new ChatEntry(
+        at,
+        person,
+        room,
+        "answered",
+        Optional.of(GoalId.whole(answer.part())),
+        "",
+        List.of(),
+        Optional.of(answer.part()),
+        Optional.empty());
   }
 
   static ChatEntry shown(String agent, Mood mood, Instant at) {
@@ -80,6 +99,7 @@ record ChatEntry(
         Optional.of(mood.goalId()),
         "%s is %s, by %s.".formatted(agent, mood.word(), SlPrinter.print(mood.intensity())),
         List.of(),
+        Optional.empty(),
         Optional.empty());
   }
 
@@ -91,7 +111,15 @@ record ChatEntry(
       String text,
       List<String> near) {
     return new ChatEntry(
-        at, utterance.person(), utterance.room(), kind, goal, text, near, Optional.empty());
+        at,
+        utterance.person(),
+        utterance.room(),
+        kind,
+        goal,
+        text,
+        near,
+        Optional.empty(),
+        Optional.empty());
   }
 
   /** About as many characters as it takes. */

@@ -94,10 +94,21 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<Void> answer(String question, String text) {
+  public CompletableFuture<Void> answer(String question, String text, Optional<String> who) {
     ObjectNode body = JsonNodeFactory.instance.objectNode().put("text", text);
+    who.ifPresent(name -> body.put("person", name));
     return request("POST", "/questions/" + encoded(question) + "/answer", Optional.of(body))
         .thenAccept(nothing -> {});
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> answers(Optional<String> script) {
+    return get("/answers" + script.map(name -> "?script=" + encoded(name)).orElse(""));
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> day(String who, Optional<String> date) {
+    return get("/days/" + encoded(who) + date.map(day -> "?date=" + encoded(day)).orElse(""));
   }
 
   @Override

@@ -240,19 +240,40 @@ public final class AclQuestions implements Questions {
   }
 
   @Override
-  public CompletableFuture<Void> answer(String question, String text) {
-    return answer(question, text, Optional.empty());
+  public CompletableFuture<Void> answer(String question, String text, Optional<String> person) {
+    return answer(question, text, Optional.empty(), person);
   }
 
   /**
-   * The same for a person.
+   * The same for who has signed in.
    *
-   * @param person who has signed in at the desk
+   * @param user who has signed in at the desk
    */
-  public CompletableFuture<Void> answer(String question, String text, Optional<String> person) {
+  public CompletableFuture<Void> answer(
+      String question, String text, Optional<String> user, Optional<String> person) {
     return ask(
-            ACLMessage.REQUEST, AgentNames.COORDINATOR, SpeechWords.answer(question, text, person))
+            ACLMessage.REQUEST,
+            AgentNames.COORDINATOR,
+            SpeechWords.answer(question, text, user, person))
         .thenAccept(lines -> {});
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> answers(Optional<String> script) {
+    return toldByTheConsole("Answers to scripts are");
+  }
+
+  @Override
+  public CompletableFuture<JsonNode> day(String person, Optional<String> date) {
+    return toldByTheConsole("Days of residents are");
+  }
+
+  private static CompletableFuture<JsonNode> toldByTheConsole(String what) {
+    return CompletableFuture.failedFuture(
+        RefusalException.outside(
+            what
+                + " told by the console, which does not answer here; run the platform with one"
+                + " (without --console off)."));
   }
 
   @Override

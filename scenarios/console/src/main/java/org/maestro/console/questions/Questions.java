@@ -50,8 +50,28 @@ public interface Questions {
    *
    * @param question the part that asks, such as G7.2
    * @param text as people write it
+   * @param person of the home whose answer it is; empty: nobody says
    */
-  CompletableFuture<Void> answer(String question, String text);
+  CompletableFuture<Void> answer(String question, String text, Optional<String> person);
+
+  /** The same where nobody says whose answer it is. */
+  default CompletableFuture<Void> answer(String question, String text) {
+    return answer(question, text, Optional.empty());
+  }
+
+  /**
+   * The answers that scripts were given, with who was asked what.
+   *
+   * @param script of that name; empty: of all
+   */
+  CompletableFuture<JsonNode> answers(Optional<String> script);
+
+  /**
+   * A person's day: where she was, what devices were at, and what was asked for.
+   *
+   * @param date by the home's clocks, such as 2026-01-31; empty: the day that it is
+   */
+  CompletableFuture<JsonNode> day(String person, Optional<String> date);
 
   /**
    * Says something as a person of the home.

@@ -3,6 +3,7 @@ import { make, byId, choices } from "./dom.js";
 import { state, ask, listen } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { clockTime } from "./past.js";
+import { drawQuestion } from "./question.js";
 
 const MOST = 2000;
 const MOST_SHOWN = 200;
@@ -75,7 +76,9 @@ function examples(person) {
 
 /** What is said in the room is for all who are there. */
 function drawLines(person, room) {
-  const its = entries.filter((entry) => (entry.person === null ? entry.room === null || entry.room === room : entry.person === person)).slice(-MOST_SHOWN);
+  const all = entries.filter((entry) => (entry.person === null ? entry.room === null || entry.room === room : entry.person === person));
+  drawQuestion(all, person);
+  const its = all.filter((entry) => entry.kind !== "answered").slice(-MOST_SHOWN);
   const now = `${person} ${room} ${its.length} ${its.at(-1)?.number} ${state.home.label}`;
   if (drawn === now) {
     return;

@@ -4,6 +4,7 @@ import { ask, state } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { longTable } from "./list.js";
 import { chart } from "./charts.js";
+import { drawDay, startDay } from "./day.js";
 import { clockTime, happened, keptPast, tone } from "./past.js";
 
 const OFTEN_MILLIS = 3000;
@@ -129,6 +130,7 @@ export function drawHappened() {
 }
 
 export function startHistory() {
+  startDay();
   listed = longTable(list, "events", [
     { name: "When", className: "when", text: (event) => clockTime(event.at), value: (event) => event.at, cell: (event) => make("button", { class: "row", type: "button" }, clockTime(event.at)) },
     { name: "Clock", className: "number wide", text: (event) => seconds(event.clock_s), value: (event) => event.clock_s },
@@ -145,6 +147,7 @@ export function startHistory() {
 let chosen = "";
 
 export function drawHistory() {
+  drawDay();
   const kept = keptPast();
   byId("history-kept").textContent = kept === null ? "" :
     `${(kept.bytes / 2 ** 20).toFixed(1)} of ${kept.most_bytes / 2 ** 20} MiB, ${kept.most_s / 3600} h at most`;
