@@ -136,7 +136,19 @@ public record Home(
   /** The same home with other things and words: what somebody knows of it who knows less. */
   public Home knownAs(Map<String, Individual> things, Wording asCalled) {
     return new Home(
-        iri, label, vocabulary, things, devices, groups, scripts, timeZone, asCalled, words, file);
+        iri,
+        label,
+        vocabulary,
+        things,
+        devices,
+        groups,
+        scripts,
+        rules,
+        timeZone,
+        asCalled,
+        words,
+        file,
+        tracking);
   }
 
   /** The agent that hears what is said in a room, if one does. */
