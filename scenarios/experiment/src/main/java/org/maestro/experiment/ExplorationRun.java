@@ -4,9 +4,8 @@ import java.time.Duration;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Terrain;
@@ -120,12 +119,12 @@ record ExplorationRun(
     Scene scene = Shipped.scene(HOME, home);
     Trial trial = new Trial(HOME + "-" + number, home, scene, seed, Physics.of(settings));
     try (TrialSite site = TrialSite.open(trial)) {
-      AtomicReference<Optional<Duration>> sent = new AtomicReference<>(Optional.empty());
+      List<Duration> sent = new CopyOnWriteArrayList<>();
       site.world()
           .listen(
               event -> {
                 if (event.kind() == WorldEvent.Kind.TRANSMITTED) {
-                  sent.set(Optional.of(event.at()));
+                  sent.add(event.at());
                 }
               });
       Conversation talk = site.conversation(PERSON);
@@ -136,15 +135,15 @@ record ExplorationRun(
       SimulatedSubject subject =
           new SimulatedSubject(talk, manner(condition, settings), new SplittableRandom(seed));
       subject.explore();
-      if (sent.get().isEmpty()) {
+      if (sent.isEmpty()) {
         site.runUntil(mission::hasEnded, NO_LONGER);
       }
-      Duration ended = sent.get().orElse(site.clock().now());
+      Duration ended = sent.isEmpty() ? site.clock().now() : sent.get(0);
       return new ExplorationRun(
           number,
           seed,
           condition,
-          sent.get().isPresent(),
+          !sent.isEmpty(),
           seconds(ended, begun),
           bound,
           talk.said().size(),

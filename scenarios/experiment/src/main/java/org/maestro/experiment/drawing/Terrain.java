@@ -124,8 +124,9 @@ public final class Terrain {
     int count = (int) Math.ceil(side / SQUARE_METRES);
     double[][] data = new double[3][count * count];
     for (int i = 0; i < count * count; i++) {
-      Point2 place =
-          new Point2((i % count + 0.5) * SQUARE_METRES, (i / count + 0.5) * SQUARE_METRES);
+      int column = i % count;
+      int row = i / count;
+      Point2 place = new Point2((column + 0.5) * SQUARE_METRES, (row + 0.5) * SQUARE_METRES);
       data[0][i] = place.x();
       data[1][i] = place.y();
       data[2][i] = strength.applyAsDouble(place);
