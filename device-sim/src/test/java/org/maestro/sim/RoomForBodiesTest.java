@@ -12,6 +12,7 @@ import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Point2;
+import org.maestro.sim.scene.Stop;
 import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.Walks;
 import org.maestro.sim.world.World;
@@ -94,7 +95,9 @@ class RoomForBodiesTest {
                 }
               });
       new Walks(homes.world(), homes.clock)
-          .start("Bob", List.of(new Point2(4.64, 1.5), new Point2(4.64, 0.8)));
+          .start(
+              "Bob",
+              List.of(new Stop(new Point2(4.64, 1.5), 0), new Stop(new Point2(4.64, 0.8), 0)));
       List<String> ends = new ArrayList<>();
       drive(homes, "rose", new Point2(5.4, 0.8), ends);
       homes.clock.run(Duration.ofMillis(1300));

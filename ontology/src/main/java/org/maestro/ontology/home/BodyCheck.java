@@ -71,7 +71,9 @@ final class BodyCheck {
   }
 
   private static List<String> types(Body.Ask ask) {
-    return ask.format().map(AnswerFormatCheck::types).orElseGet(() -> List.of(SpeechCheck.answer(ask)));
+    return ask.format()
+        .map(AnswerFormatCheck::types)
+        .orElseGet(() -> List.of(SpeechCheck.answer(ask)));
   }
 
   private void step(Body body, Map<String, List<String>> variables) {

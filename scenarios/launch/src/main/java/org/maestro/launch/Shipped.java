@@ -20,8 +20,7 @@ import org.maestro.sim.scene.SceneLoader;
 /** Homes and scenes by the name of a shipped one, or by a file's path. */
 final class Shipped {
   static final List<String> HOMES =
-      List.of(
-          "bob", "arena", "housekeeper", "evening", "rooms", "people", "exploration");
+      List.of("bob", "arena", "housekeeper", "evening", "rooms", "people", "exploration");
   static final List<String> SCENES =
       List.of(
           "bob-dark",
