@@ -1,10 +1,9 @@
 package org.maestro.sl;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Response formats of questions, read and printed. */
+/** Response formats of questions. */
 final class AnswerFormatSyntax {
   private static final String CHOICE = "choice";
   private static final String SLIDER = "slider";
@@ -69,24 +68,5 @@ final class AnswerFormatSyntax {
       return leaf.text();
     }
     throw node.fault(RANGE);
-  }
-
-  static String print(AnswerFormat format) {
-    List<String> parts = new ArrayList<>();
-    if (format instanceof AnswerFormat.Choice choice) {
-      parts.add(CHOICE);
-      choice.options().forEach(option -> parts.add(SlPrinter.print(option)));
-    } else {
-      AnswerFormat.Slider slider = (AnswerFormat.Slider) format;
-      parts.add(SLIDER);
-      parts.add(SlPrinter.print(slider.lowest()));
-      parts.add(SlPrinter.print(slider.highest()));
-      parts.add(SlPrinter.print(slider.step()));
-      if (!slider.lowestLabel().isEmpty() || !slider.highestLabel().isEmpty()) {
-        parts.add(SlPrinter.print(new Term.Text(slider.lowestLabel())));
-        parts.add(SlPrinter.print(new Term.Text(slider.highestLabel())));
-      }
-    }
-    return "(" + String.join(" ", parts) + ")";
   }
 }

@@ -139,8 +139,27 @@ final class BodyPrinter {
     ask.words().forEach(word -> parts.add(SlPrinter.print(word)));
     parts.add("?" + ask.answer().name());
     ask.answer().className().ifPresent(parts::add);
-    ask.format().ifPresent(format -> parts.add(AnswerFormatSyntax.print(format)));
+    ask.format().ifPresent(format -> parts.add(print(format)));
     return parts;
+  }
+
+  private static String print(AnswerFormat format) {
+    List<String> parts = new ArrayList<>();
+    if (format instanceof AnswerFormat.Choice choice) {
+      parts.add("choice");
+      choice.options().forEach(option -> parts.add(SlPrinter.print(option)));
+    } else {
+      AnswerFormat.Slider slider = (AnswerFormat.Slider) format;
+      parts.add("slider");
+      parts.add(SlPrinter.print(slider.lowest()));
+      parts.add(SlPrinter.print(slider.highest()));
+      parts.add(SlPrinter.print(slider.step()));
+      if (!slider.lowestLabel().isEmpty() || !slider.highestLabel().isEmpty()) {
+        parts.add(SlPrinter.print(new Term.Text(slider.lowestLabel())));
+        parts.add(SlPrinter.print(new Term.Text(slider.highestLabel())));
+      }
+    }
+    return "(" + String.join(" ", parts) + ")";
   }
 
   /** The steps of a question that is the last of several are written after it. */

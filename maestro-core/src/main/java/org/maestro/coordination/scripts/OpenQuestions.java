@@ -42,7 +42,7 @@ final class OpenQuestions {
       then.accept(Optional.of(AnswerRefusal.notOpen(part)));
       return;
     }
-    Answers answers = Answers.to(question, home);
+    Answers answers = question.answers(home);
     answers
         .read(text)
         .ifPresentOrElse(

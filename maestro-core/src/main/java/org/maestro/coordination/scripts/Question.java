@@ -3,6 +3,7 @@ package org.maestro.coordination.scripts;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.coordination.api.Respondent;
+import org.maestro.ontology.home.Home;
 import org.maestro.sl.AnswerFormat;
 import org.maestro.sl.Term;
 
@@ -14,6 +15,16 @@ import org.maestro.sl.Term;
  */
 record Question(
     String who, List<Term> words, String type, Optional<AnswerFormat> format, Answered answered) {
+
+  /** The answers that would do. */
+  Answers answers(Home home) {
+    if (format.isEmpty()) {
+      return new WrittenAnswers(type, home);
+    }
+    return format.get() instanceof AnswerFormat.Choice choice
+        ? new ChosenAnswers(choice.options(), home)
+        : new SetAnswers((AnswerFormat.Slider) format.get());
+  }
 
   /** Told once of the first answer that would do. */
   interface Answered {

@@ -83,7 +83,7 @@ final class Voice {
             notes.partId(path),
             question.who(),
             Sentence.of(question.words(), home),
-            Optional.of(Answers.to(question, home).wanted()));
+            Optional.of(question.answers(home).wanted()));
     Consumer<Optional<String>> asked =
         problem -> {
           if (problem.isEmpty()) {
