@@ -94,24 +94,6 @@ class EveningTest {
     }
   }
 
-  @Test
-  void oneCueAloneGreetsNobody() {
-    try (EveningStage evening =
-        EveningStage.of(
-            data, PastDays.read(""), "evening", "<#front-door> scene:fault \"at 100 open\" .")) {
-      Stage stage = evening.stage();
-      stage.run(Duration.ofSeconds(5));
-      evening.put("Dave", "hallway");
-      stage.run(Duration.ofSeconds(20));
-      assertThat(stage.knowledge()).as("he is seen").knows("(inHouse Dave)");
-      evening.put("Dave", "livingroom");
-      stage.run(Duration.ofSeconds(110));
-
-      assertThat(stage.knowledge()).as("the door was opened").knows("(wasOpened front-door)");
-      assertThat(evening.said()).isEmpty();
-    }
-  }
-
   private EveningStage comingHome() {
     return EveningStage.of(data, PastDays.shipped("evening"), "homecoming");
   }

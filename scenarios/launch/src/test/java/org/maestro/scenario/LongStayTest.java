@@ -49,15 +49,4 @@ class LongStayTest {
       assertThat(evening.said(CALL).get(0).to()).isEqualTo("livingroom");
     }
   }
-
-  @Test
-  void whoIsWellIsLeftInPeace() {
-    try (EveningStage evening = evening()) {
-      Stage stage = evening.stage();
-      stage.speaker("Grandma").in("bathroom").says("Of course.").isAnAnswer();
-      evening.awaitSaid("Good.");
-      stage.run(Duration.ofMinutes(3));
-      assertThat(evening.said(CALL)).isEmpty();
-    }
-  }
 }
