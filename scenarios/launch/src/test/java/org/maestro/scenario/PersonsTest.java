@@ -3,6 +3,7 @@ package org.maestro.scenario;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -106,9 +107,19 @@ class PersonsTest {
   @Test
   void anotherTrackerBeginsInThePlaceOfOneThatEnded(Stage stage) {
     stage.await("Rose is known", () -> known(stage, "(in Rose kitchen)").isPresent());
+    Instant ended = stage.platform().instant();
     stage.platform().endAgent("persons");
-    stage.run(Duration.ofSeconds(60));
 
+    stage.await(
+        "another is there",
+        () ->
+            stage
+                .platform()
+                .directory()
+                .find("persons")
+                .filter(one -> !one.since().isBefore(ended))
+                .isPresent());
+    stage.run(Duration.ofSeconds(60));
     assertThat(known(stage, "(in Rose kitchen)")).isPresent();
   }
 }
