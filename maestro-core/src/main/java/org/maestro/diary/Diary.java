@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.knowledge.api.KnowledgeBase;
@@ -102,7 +103,7 @@ public final class Diary implements AutoCloseable {
   /** Somebody has asked for something, or that has come to its end. */
   public void note(JournalEntry entry) {
     Instant now = clock.instant();
-    if (entry instanceof JournalEntry.Submitted submitted) {
+    if (entry instanceof JournalEntry.Submitted submitted && isWhole(submitted.goalId())) {
       add(
           new DiaryLine.Asked(
               now,
@@ -122,6 +123,11 @@ public final class Diary implements AutoCloseable {
               end,
               state == GoalState.ACHIEVED ? "" : String.join(" ", over.outcome().reasons())));
     }
+  }
+
+  /** The steps of a script are no wishes of anybody. */
+  private static boolean isWhole(String goalId) {
+    return !GoalId.isPart(goalId);
   }
 
   private synchronized void add(DiaryLine line) {

@@ -81,6 +81,16 @@ public final class Speaker {
     return new Awaited(found.text(), found.at().minus(spoke));
   }
 
+  /** Nothing was said to her, or in the room in which she is; fails the test when something was. */
+  public Speaker hasHeardNothing() {
+    if (!heard.isEmpty()) {
+      throw new AssertionError(
+          "%s was to hear nothing; heard was: %s"
+              .formatted(person, heard.stream().map(Sentence::text).toList()));
+    }
+    return this;
+  }
+
   private Optional<Sentence> find(String sentence) {
     return heard.stream().skip(awaited).filter(one -> one.text().equals(sentence)).findFirst();
   }

@@ -99,16 +99,19 @@ class SpokenEveningTest {
         .isReached();
   }
 
-  /** Of A84, what the children are told. */
+  /** Of A84, what the children are told, and nobody else. */
   @Test
   void theChildrenAreToldThatItIsTimeForDinner(Stage stage) {
-    stage
-        .speaker("Dave")
-        .in("livingroom")
-        .says("let the kids know it's time for dinner")
-        .isReached();
-    stage.speaker("Tom").awaits("it's time for dinner");
-    stage.speaker("Mia").awaits("it's time for dinner");
+    Speaker dave = stage.speaker("Dave").in("livingroom");
+    Speaker grandma = stage.speaker("Grandma").in("bedroom");
+    Speaker tom = stage.speaker("Tom").in("kidsroom");
+    Speaker mia = stage.speaker("Mia").in("bathroom");
+
+    dave.says("let the kids know it's time for dinner").isReached();
+    tom.awaits("it's time for dinner");
+    mia.awaits("it's time for dinner");
+    dave.hasHeardNothing();
+    grandma.hasHeardNothing();
   }
 
   @Test

@@ -60,21 +60,18 @@ class DayTest {
     assertThat(report.silences()).hasSize(3);
     assertThat(report.changes())
         .extracting(DayReport.Change::fact)
-        .as("what he wished, and what a camera needed to see him")
-        .containsExactly(
-            "(= (level floor-lamp) 0)",
-            "(= (level floor-lamp) 0.65)",
-            "(= (level reading-lamp) 1)",
-            "(= (level kitchen-lamp) 0.2)");
+        .as("what he wished, and that somebody was noticed elsewhere then")
+        .containsSubsequence("(= (level floor-lamp) 0)", "(presence motion-kitchen)");
     assertThat(report.requests())
         .extracting(DayReport.Request::goal, DayReport.Request::person)
-        .containsExactly(
+        .as("the rules of the home begin something, too")
+        .startsWith(
             tuple("(canSee ?who Dave)", Optional.empty()),
             tuple("(= (level floor-lamp) 0)", Optional.of("Dave")),
             tuple("(canSee ?who Dave)", Optional.empty()));
     assertThat(told(stage))
         .extracting(DaySentences.Told::text)
-        .containsExactly(
+        .containsSubsequence(
             "Nobody knows where Dave is.",
             "Somebody asks me to look at Dave.",
             "Dave is in the living room.",
@@ -84,11 +81,10 @@ class DayTest {
             "As was asked: The floor lamp is off. That is what I was told; nobody has seen it.",
             "Nobody knows where Dave is.",
             "Somebody asks me to look at Dave.",
-            "The level of the floor lamp is 65 percent.",
-            "The reading lamp is on.",
-            "The level of the kitchen light is 20 percent.",
             "Dave is in the kitchen.",
             "As was asked: It is done.",
-            "Nobody knows where Dave is.");
+            "Nobody knows where Dave is.")
+        .as("no ids")
+        .noneMatch(line -> line.contains("floor-lamp"));
   }
 }
