@@ -131,7 +131,7 @@ class DirectedRobotTest {
         .contains("told to stand still while it turned");
   }
 
-  /** What chance has it do, with and without slip: the floor around its body stays free. */
+  /** What chance has it do: the floor around its body stays free. */
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4})
   void whateverItIsToldItTouchesNothing(long seed) {
