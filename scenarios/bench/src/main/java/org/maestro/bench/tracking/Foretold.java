@@ -60,9 +60,10 @@ final class Foretold {
   }
 
   private void judge(String person, Open prediction, String zone, Duration now) {
-    boolean isSo = prediction.to().equals(zone);
     Duration passed = now.minus(prediction.at());
-    if (isSo || passed.compareTo(IN_TIME) > 0) {
+    boolean isLate = passed.compareTo(IN_TIME) > 0;
+    boolean isSo = !isLate && prediction.to().equals(zone);
+    if (isSo || isLate) {
       open.remove(person);
       calibration.add(prediction.confidence(), isSo);
     }
