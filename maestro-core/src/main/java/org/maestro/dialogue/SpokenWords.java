@@ -222,11 +222,6 @@ public final class SpokenWords {
         .isPresent();
   }
 
-  /** How many words somebody knows who hears in a room: for who wishes to compare them. */
-  public synchronized int vocabulary(Utterance heard) {
-    return language(home.get(), Optional.of(heard)).lexicon().words().size();
-  }
-
   /**
    * What she says, as the answer to a question of a script, in the words in which scripts take
    * answers; empty where it says nothing of what is wanted. Nothing is remembered of it.
