@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.maestro.language.grammar.Form;
+import org.maestro.language.grammar.Rule;
 import org.maestro.language.grammar.Symbol;
 
 /** What is known after a word: rules that go on here, and categories that end here. */
@@ -29,7 +30,21 @@ final class Column {
   /** A category that began in a column and ends here. */
   record Part(String category, int origin) {}
 
-  private record Place(Object rule, int dot, int origin) {}
+  /** A rule and how far it came: it is the same one only as itself, which is told at once. */
+  private record Place(Rule rule, int dot, int origin) {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof Place place
+          && rule == place.rule
+          && dot == place.dot
+          && origin == place.origin;
+    }
+
+    @Override
+    public int hashCode() {
+      return (System.identityHashCode(rule) * 31 + dot) * 31 + origin;
+    }
+  }
 
   Column(RuleIndex rules) {
     this.rules = rules;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Grammar;
@@ -410,8 +411,7 @@ public final class HeardWords {
 
   private void misheard(String word) {
     if (!isKnown(word) && !foreign.contains(word)) {
-      Set<String> all = new HashSet<>(grammarWords);
-      all.addAll(lexicon.words());
+      Stream<String> all = Stream.concat(grammarWords.stream(), lexicon.words().stream());
       List<String> fitting = Nearby.of(word, all).stream().filter(this::fits).toList();
       if (fitting.size() == 1) {
         chart.extend(fitting.get(0));

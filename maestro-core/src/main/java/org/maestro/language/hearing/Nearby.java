@@ -1,7 +1,7 @@
 package org.maestro.language.hearing;
 
-import java.util.Collection;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Words that sound or look much like another. */
 final class Nearby {
@@ -11,15 +11,16 @@ final class Nearby {
   private Nearby() {}
 
   /** Those of the words for which another may have been misheard; none of short ones. */
-  static List<String> of(String word, Collection<String> words) {
+  static List<String> of(String word, Stream<String> words) {
     if (word.length() < SHORT) {
       return List.of();
     }
     int most = word.length() >= LONG ? 2 : 1;
-    return words.stream()
+    return words
         .filter(other -> Math.abs(other.length() - word.length()) <= most)
         .filter(other -> !other.isEmpty() && other.charAt(0) == word.charAt(0))
         .filter(other -> distance(word, other) <= most)
+        .distinct()
         .sorted()
         .toList();
   }

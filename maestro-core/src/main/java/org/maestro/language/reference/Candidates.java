@@ -58,7 +58,8 @@ final class Candidates {
         description.named().isEmpty()
             && description.conditions().isEmpty()
             && description.tests().isEmpty()
-            && home.vocabulary().isA(description.className(), className);
+            && (className.isEmpty()
+                || home.vocabulary().isA(kind(description, className), className));
     return isAll
         ? List.copyOf(all)
         : all.stream()
@@ -75,8 +76,16 @@ final class Candidates {
         && description.tests().stream().allMatch(test -> test.holds(candidate));
   }
 
+  /** The narrower of the class that is said and the one that is wanted, where one is. */
+  private String kind(Description description, String className) {
+    String said = description.className();
+    boolean isNarrower =
+        !className.isEmpty() && (said.isEmpty() || home.vocabulary().isA(className, said));
+    return isNarrower ? className : said;
+  }
+
   private Collection<Term.Name> likely(Description description, String className) {
-    String kind = description.className().isEmpty() ? className : description.className();
+    String kind = kind(description, className);
     Collection<Term.Name> all = facts.individuals(kind);
     Optional<Set<Term>> fewest =
         description.conditions().stream()

@@ -33,7 +33,7 @@ public final class Relations {
   private static final String INSIDE = "inside";
 
   /** The properties by which a home says where something is. */
-  private static final Set<String> POSITIONS = Set.of("pose", "position");
+  private static final List<String> POSITIONS = List.of("pose", "position");
 
   /** So many tell whether others like them stand somewhere. */
   private static final int FEW = 4;
@@ -44,6 +44,13 @@ public final class Relations {
   private final Evaluation evaluation;
   private final List<PredicateDeclaration> pairs;
   private final List<PredicateDeclaration> ofPlaces;
+
+  /** The classes of what may be in places, or is one. */
+  private final List<String> placeable;
+
+  /** Whether of some predicate whatever stands somewhere may be in a place. */
+  private final boolean anythingMayBePlaced;
+
   private final Map<Term, Owner> belonging = new HashMap<>();
   private final Map<Formula.Atom, Boolean> held = new HashMap<>();
 
@@ -57,6 +64,13 @@ public final class Relations {
             .filter(predicate -> predicate.parameters().size() == 2)
             .toList();
     this.ofPlaces = List.copyOf(withWordsOf(INSIDE));
+    this.anythingMayBePlaced =
+        ofPlaces.stream().anyMatch(predicate -> typeOf(predicate, 0).isEmpty());
+    this.placeable =
+        ofPlaces.stream()
+            .map(one -> typeOf(one, 0).isEmpty() ? typeOf(one, 1) : typeOf(one, 0))
+            .distinct()
+            .toList();
   }
 
   /** The predicates that a preposition may be, in the order of its form. */
@@ -166,13 +180,16 @@ public final class Relations {
 
   /** Whether it may be in a place at all, rather than being no thing, as titles are. */
   boolean isPlaceable(Term.Name name) {
-    for (PredicateDeclaration predicate : ofPlaces) {
-      String type = typeOf(predicate, 0);
-      if (type.isEmpty() ? stands(name) || isA(name, typeOf(predicate, 1)) : isA(name, type)) {
+    Individual individual = home.individuals().get(name.text());
+    if (individual == null) {
+      return false;
+    }
+    for (String type : placeable) {
+      if (type.isEmpty() || individual.classes().contains(type)) {
         return true;
       }
     }
-    return false;
+    return anythingMayBePlaced && stands(individual);
   }
 
   /** Whether what is of the class may be in a place at all; of no class anything may. */
@@ -189,9 +206,17 @@ public final class Relations {
   }
 
   /** Whether the home says where it is. */
-  private boolean stands(Term.Name name) {
-    Individual individual = home.individuals().get(name.text());
-    return individual != null && POSITIONS.stream().anyMatch(individual.properties()::containsKey);
+  private static boolean stands(Individual individual) {
+    Map<String, List<Term>> properties = individual.properties();
+    if (properties.isEmpty()) {
+      return false;
+    }
+    for (String position : POSITIONS) {
+      if (properties.containsKey(position)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whether it is known that the thing is in the place, by whichever predicate says so. */
@@ -212,21 +237,19 @@ public final class Relations {
             .flatMap(Optional::stream)
             .filter(predicate -> predicate.parameters().size() == 2 && isBroughtAbout(predicate))
             .filter(predicate -> fits(predicate, 0, thing) && fits(predicate, 1, place))
-            .map(predicate -> truth(new Formula.Atom(predicate.name(), List.of(thing, place))))
+            .map(predicate -> new Formula.Atom(predicate.name(), List.of(thing, place)))
+            .map(atom -> evaluation.truth(atom, Map.of()))
             .toList();
     return truths.stream().anyMatch(truth -> truth != Truth.FALSE);
   }
 
-  private Truth truth(Formula formula) {
-    return new Evaluation(facts).truth(formula, Map.of());
-  }
-
   /** Whether the formula holds, or tells where something is and is not known to be false. */
   boolean mayHold(Formula formula, Map<String, Term> bindings) {
-    return holds(formula, bindings)
-        || isOfPlaces(formula)
-            && bindings.keySet().containsAll(FreeVariables.of(formula))
-            && new Evaluation(facts).truth(formula, bindings) != Truth.FALSE;
+    if (!bindings.keySet().containsAll(FreeVariables.of(formula))) {
+      return false;
+    }
+    Truth truth = evaluation.truth(formula, bindings);
+    return truth == Truth.TRUE || truth == Truth.UNKNOWN && isOfPlaces(formula);
   }
 
   /** Whether it tells where something is, or what else prepositions tell. */

@@ -1,6 +1,7 @@
 package org.maestro.ontology.vocabulary;
 
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,9 +18,14 @@ public record Vocabulary(
   public static final Vocabulary EMPTY = new Vocabulary(Map.of(), Map.of(), Map.of());
 
   public Vocabulary {
-    classes = Collections.unmodifiableMap(new TreeMap<>(classes));
-    predicates = Collections.unmodifiableMap(new TreeMap<>(predicates));
-    features = Collections.unmodifiableMap(new TreeMap<>(features));
+    classes = inOrder(classes);
+    predicates = inOrder(predicates);
+    features = inOrder(features);
+  }
+
+  /** In a stable order, and looked up by their hashes: facts and words are, many times a second. */
+  private static <T> Map<String, T> inOrder(Map<String, T> declared) {
+    return Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(declared)));
   }
 
   public Optional<PredicateDeclaration> predicate(String name) {
