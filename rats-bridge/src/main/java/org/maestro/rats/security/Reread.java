@@ -12,8 +12,6 @@ import org.slf4j.LoggerFactory;
  * once, until they can. Any thread.
  */
 final class Reread<T> {
-  private static final Logger LOG = LoggerFactory.getLogger(Reread.class);
-
   private final String what;
   private final Path source;
   private final WatchedFiles files;
@@ -46,13 +44,20 @@ final class Reread<T> {
     try {
       value = reading.get();
       problem = "";
-      LOG.info("The {} of {} were read again", what, source);
+      log().info("The {} of {} were read again", what, source);
     } catch (SecurityFilesException unusable) {
       String now = String.valueOf(unusable.getMessage());
       if (!now.equals(problem)) {
-        LOG.error("The {} stay as they were: {}", what, now);
+        log().error("The {} stay as they were: {}", what, now);
       }
       problem = now;
     }
+  }
+
+  /**
+   * Made only where something is told: to read how the log is kept takes longer than a question.
+   */
+  private static Logger log() {
+    return LoggerFactory.getLogger(Reread.class);
   }
 }

@@ -9,6 +9,7 @@ import java.security.PrivateKey;
 import java.security.cert.Certificate;
 import java.security.cert.X509Certificate;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.net.ssl.KeyManager;
 import javax.net.ssl.KeyManagerFactory;
@@ -210,6 +211,23 @@ public final class SiteSecurity {
                 Optional.of(PrivateFiles.secret(file(id, PERSONAL)).strip()),
                 context(Optional.empty())))
         : Optional.empty();
+  }
+
+  /**
+   * To sign in at the console as an administrator: of several the first by name whose password is
+   * kept here.
+   *
+   * @return empty when there is none
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  public Optional<Credentials> administrator() {
+    return users.persons().entrySet().stream()
+        .filter(person -> person.getValue() == Role.ADMINISTRATOR)
+        .map(Map.Entry::getKey)
+        .filter(id -> Files.isReadable(file(id, PERSONAL)))
+        .sorted()
+        .findFirst()
+        .flatMap(this::console);
   }
 
   /** What {@link #container} reads, to see when that has to be read again. */

@@ -3,6 +3,7 @@ package org.maestro.rats.security;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -56,6 +57,16 @@ class SitePersonsTest {
     assertThat(persons.isPassword("alice", password("screen"))).isFalse();
     assertThat(persons.isPassword("alice", "")).isFalse();
     assertThat(persons.isPassword("nobody", password("alice"))).isFalse();
+  }
+
+  @Test
+  void whoAdministersIsTheFirstWhosePasswordIsHere() throws IOException {
+    assertThat(SiteSecurity.open(directory).administrator()).isEmpty();
+    with(Map.of("bill", Role.ADMINISTRATOR, "carol", Role.ADMINISTRATOR));
+    assertThat(SiteSecurity.open(directory).administrator().orElseThrow().user()).isEqualTo("bill");
+    Files.delete(file("bill/console-password"));
+    assertThat(SiteSecurity.open(directory).administrator().orElseThrow().user())
+        .isEqualTo("carol");
   }
 
   @Test

@@ -1,8 +1,11 @@
 package org.maestro.launch;
 
 import java.io.PrintStream;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;
 import org.slf4j.bridge.SLF4JBridgeHandler;
@@ -20,44 +23,6 @@ import picocli.CommandLine.Spec;
     synopsisSubcommandLabel = "COMMAND",
     versionProvider = Version.class,
     description = "Orchestrates service robots and the rooms they work in.",
-    subcommands = {
-      DemoCommand.class,
-      RunCommand.class,
-      ContainerCommand.class,
-      DevicesCommand.class,
-      DeviceCommand.class,
-      ZigbeeCommand.class,
-      GoalCommand.class,
-      RunScriptCommand.class,
-      ScriptsCommand.class,
-      AgentCommand.class,
-      AgentsCommand.class,
-      GoalsCommand.class,
-      KnowCommand.class,
-      WordsCommand.class,
-      RoomsCommand.class,
-      UnderstandCommand.class,
-      SayCommand.class,
-      ChatCommand.class,
-      SlCommand.class,
-      WhyCommand.class,
-      TraceCommand.class,
-      DayCommand.class,
-      LogCommand.class,
-      AnswerCommand.class,
-      AnswersCommand.class,
-      CancelCommand.class,
-      StopCommand.class,
-      ReviveCommand.class,
-      CheckCommand.class,
-      NewCommand.class,
-      PlanCommand.class,
-      SecureCommand.class,
-      BenchCommand.class,
-      ExperimentCommand.class,
-      CompletionCommand.class,
-      HelpCommand.class
-    },
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:done",
@@ -72,6 +37,49 @@ import picocli.CommandLine.Spec;
       "What commands print with --json is described in docs/schemas."
     })
 public final class Maestro implements Runnable {
+  /** The commands by their names, in the order of the help. */
+  private static final List<Map.Entry<String, Class<?>>> COMMANDS =
+      List.of(
+          Map.entry("demo", DemoCommand.class),
+          Map.entry("run", RunCommand.class),
+          Map.entry("container", ContainerCommand.class),
+          Map.entry("devices", DevicesCommand.class),
+          Map.entry("device", DeviceCommand.class),
+          Map.entry("zigbee", ZigbeeCommand.class),
+          Map.entry("goal", GoalCommand.class),
+          Map.entry("run-script", RunScriptCommand.class),
+          Map.entry("scripts", ScriptsCommand.class),
+          Map.entry("agent", AgentCommand.class),
+          Map.entry("agents", AgentsCommand.class),
+          Map.entry("goals", GoalsCommand.class),
+          Map.entry("know", KnowCommand.class),
+          Map.entry("words", WordsCommand.class),
+          Map.entry("rooms", RoomsCommand.class),
+          Map.entry("understand", UnderstandCommand.class),
+          Map.entry("say", SayCommand.class),
+          Map.entry("chat", ChatCommand.class),
+          Map.entry("sl", SlCommand.class),
+          Map.entry("why", WhyCommand.class),
+          Map.entry("trace", TraceCommand.class),
+          Map.entry("day", DayCommand.class),
+          Map.entry("log", LogCommand.class),
+          Map.entry("answer", AnswerCommand.class),
+          Map.entry("answers", AnswersCommand.class),
+          Map.entry("cancel", CancelCommand.class),
+          Map.entry("stop", StopCommand.class),
+          Map.entry("revive", ReviveCommand.class),
+          Map.entry("check", CheckCommand.class),
+          Map.entry("new", NewCommand.class),
+          Map.entry("plan", PlanCommand.class),
+          Map.entry("secure", SecureCommand.class),
+          Map.entry("bench", BenchCommand.class),
+          Map.entry("experiment", ExperimentCommand.class),
+          Map.entry("completion", CompletionCommand.class),
+          Map.entry("help", HelpCommand.class));
+
+  /** Commands that print what others there are. */
+  private static final Set<String> TELLS_OF_OTHERS = Set.of("help", "completion");
+
   @Spec private CommandSpec spec;
 
   @Option(
@@ -111,13 +119,30 @@ public final class Maestro implements Runnable {
     // Before the command line is made: picocli goes back to plain writers when these change later.
     System.setOut(StrayOutput.before(people));
     System.setErr(StrayOutput.before(people));
-    System.exit(commandLine(out, people).execute(arguments));
+    System.exit(commandLine(out, people, named(arguments)).execute(arguments));
+  }
+
+  /** The command that is named first; all where none is, so that the help tells of them. */
+  private static List<Map.Entry<String, Class<?>>> named(String... arguments) {
+    List<Map.Entry<String, Class<?>>> named =
+        COMMANDS.stream()
+            .filter(command -> arguments.length > 0 && command.getKey().equals(arguments[0]))
+            .filter(command -> !TELLS_OF_OTHERS.contains(command.getKey()))
+            .toList();
+    return named.isEmpty() ? COMMANDS : named;
   }
 
   static CommandLine commandLine(PrintStream out, PrintStream err) {
+    return commandLine(out, err, COMMANDS);
+  }
+
+  /** To make each command takes longer than most of them take to answer. */
+  private static CommandLine commandLine(
+      PrintStream out, PrintStream err, List<Map.Entry<String, Class<?>>> commands) {
+    CommandLine line = new CommandLine(new Maestro());
+    commands.forEach(command -> line.addSubcommand(command.getKey(), command.getValue()));
     Failures failures = new Failures();
-    return new CommandLine(new Maestro())
-        .setOut(VisibleWriter.on(out, true))
+    return line.setOut(VisibleWriter.on(out, true))
         .setErr(VisibleWriter.on(err, true))
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setUsageHelpAutoWidth(true)

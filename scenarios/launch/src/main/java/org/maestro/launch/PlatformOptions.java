@@ -36,9 +36,9 @@ final class PlatformOptions {
   @Option(
       names = "--user",
       paramLabel = "ID",
-      defaultValue = SecurityOptions.CONSOLE,
-      description = "As which user of the secured site to ask; default ${DEFAULT-VALUE}.")
-  private String user;
+      description =
+          "As which user of the secured site to ask; unless it is said console, or, where nobody signs in by that name, its first administrator.")
+  private Optional<String> user;
 
   /** Whether there is a platform to talk to. */
   boolean isThere() {
@@ -97,7 +97,9 @@ final class PlatformOptions {
     if (files.isEmpty()) {
       return running.console().map(HttpQuestions::new);
     }
-    Optional<Credentials> person = SiteSecurity.open(files.get()).console(user);
+    SiteSecurity site = SiteSecurity.open(files.get());
+    Optional<Credentials> person =
+        site.console(user()).or(() -> user.isPresent() ? Optional.empty() : site.administrator());
     return person.isEmpty()
         ? Optional.empty()
         : running.console().map(at -> new HttpQuestions(at, person));
@@ -122,7 +124,11 @@ final class PlatformOptions {
         at.port(),
         "cli-" + ProcessHandle.current().pid() + (attempt == 1 ? "" : "-" + attempt),
         new PacedClock(1),
-        files().map(directory -> Guard.open(SiteSecurity.open(directory), user)));
+        files().map(directory -> Guard.open(SiteSecurity.open(directory), user())));
+  }
+
+  private String user() {
+    return user.orElse(SecurityOptions.CONSOLE);
   }
 
   private Optional<Path> files() {
