@@ -242,6 +242,12 @@ class ConsolePageTest {
     browser.click("#fact-list .tools button:last-child");
     browser.waitForSaid("window.saved", "\"(level lamp-a2)\"");
     assertThat(browser.run("return window.saved.trim().split('\\n').length")).isEqualTo(3L);
+    assertThat(
+            browser.runAsync(
+                "import('/list.js').then((list) => arguments[1](arguments[0].map(list.quoted).join(' ')))",
+                List.of("=1+1", "-2.5", "+\"x\"", "(at 1)")))
+        .as("nothing is calculated")
+        .isEqualTo("\"'=1+1\" \"-2.5\" \"'+\"\"x\"\"\" \"(at 1)\"");
   }
 
   /** A browser keeps few connections to one address, for all pages together. */

@@ -7,8 +7,14 @@ function order(a, b) {
   return typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en", { numeric: true });
 }
 
-function quoted(text) {
-  return `"${String(text ?? "").replaceAll('"', '""')}"`;
+const FORMULA = /^\s*[=+\-@\uff1d\uff0b\uff0d\uff20]|^[\t\r\n]/;
+const NUMBER = /^-?\d+(\.\d+)?(e-?\d+)?$/i;
+
+/** A cell of a file for spreadsheets: what these would calculate stands after an apostrophe. */
+export function quoted(value) {
+  const text = String(value ?? "");
+  const harmless = FORMULA.test(text) && !NUMBER.test(text) ? `'${text}` : text;
+  return `"${harmless.replaceAll('"', '""')}"`;
 }
 
 function save(name, columns, rows) {
