@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -22,7 +23,10 @@ final class Column {
 
   private final Map<Symbol, List<Derivation>> awaiting = new HashMap<>();
   private final Map<Part, List<Reading>> complete = new HashMap<>();
-  private final Map<Place, Integer> kept = new HashMap<>();
+
+  /** By rule, each of which there is once: to hold two of them against each other takes long. */
+  private final IdentityHashMap<Rule, Map<Place, Integer>> kept = new IdentityHashMap<>();
+
   private final Set<String> predicted = new HashSet<>();
   private final RuleIndex rules;
   private int taken;
@@ -30,21 +34,8 @@ final class Column {
   /** A category that began in a column and ends here. */
   record Part(String category, int origin) {}
 
-  /** A rule and how far it came: it is the same one only as itself, which is told at once. */
-  private record Place(Rule rule, int dot, int origin) {
-    @Override
-    public boolean equals(Object other) {
-      return other instanceof Place place
-          && rule == place.rule
-          && dot == place.dot
-          && origin == place.origin;
-    }
-
-    @Override
-    public int hashCode() {
-      return (System.identityHashCode(rule) * 31 + dot) * 31 + origin;
-    }
-  }
+  /** How far a rule came, and where it began. */
+  private record Place(int dot, int origin) {}
 
   Column(RuleIndex rules) {
     this.rules = rules;
@@ -66,8 +57,9 @@ final class Column {
 
   /** Notes a rule that goes on here; false when there are enough of them. */
   boolean add(Derivation derivation) {
-    Place place = new Place(derivation.rule(), derivation.dot(), derivation.origin());
-    if (kept.merge(place, 1, Integer::sum) > KEPT) {
+    Place place = new Place(derivation.dot(), derivation.origin());
+    Map<Place, Integer> ofRule = kept.computeIfAbsent(derivation.rule(), rule -> new HashMap<>());
+    if (ofRule.merge(place, 1, Integer::sum) > KEPT) {
       return false;
     }
     Symbol awaited = derivation.awaited();
