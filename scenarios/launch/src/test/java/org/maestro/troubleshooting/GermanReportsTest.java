@@ -31,8 +31,10 @@ class GermanReportsTest {
   private static final List<String> COMPLETE =
       List.of(
           "coordination.story.GoalStory",
+          "coordination.story.KnownOf",
           "coordination.story.NewsSentences",
           "coordination.story.ObstacleSentences",
+          "coordination.story.ProposalSentences",
           "coordination.story.SearchSentences",
           "coordination.story.WitnessSentences",
           "coordination.api.WaitsFor",
