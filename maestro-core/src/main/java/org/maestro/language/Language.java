@@ -38,6 +38,7 @@ import org.maestro.sl.Formula;
 public final class Language {
   private static final String USUAL = "en";
   private static final String ENDING = ".grammar";
+  private static final String REPORTS = ".reports";
   private static final Pattern TAG = Pattern.compile("[a-z]{2,3}(-[A-Za-z]{2,4})?");
 
   private final Home home;
@@ -72,7 +73,12 @@ public final class Language {
    * @param tag such as {@code en}
    */
   public static Language of(Home home, String tag) {
-    return of(home, GrammarReader.read(shipped(tag), tag + ENDING));
+    Grammar grammar = GrammarReader.read(shipped(tag, ENDING), tag + ENDING);
+    return of(
+        home,
+        isThere(tag + REPORTS)
+            ? grammar.withReports(GrammarReader.read(shipped(tag, REPORTS), tag + REPORTS))
+            : grammar);
   }
 
   /** A language by its grammar. */
@@ -102,16 +108,20 @@ public final class Language {
 
   /** Whether the language of that tag comes with the platform. */
   public static boolean isShipped(String tag) {
-    return TAG.matcher(tag).matches() && Language.class.getResource(tag + ENDING) != null;
+    return TAG.matcher(tag).matches() && isThere(tag + ENDING);
   }
 
-  private static String shipped(String tag) {
+  private static boolean isThere(String file) {
+    return Language.class.getResource(file) != null;
+  }
+
+  private static String shipped(String tag, String ending) {
     if (!isShipped(tag)) {
       throw new IllegalArgumentException(
           "There is no grammar for the language %s; name one that is shipped, such as de, or a file such as nl.grammar."
               .formatted(tag));
     }
-    try (InputStream stream = Language.class.getResourceAsStream(tag + ENDING)) {
+    try (InputStream stream = Language.class.getResourceAsStream(tag + ending)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
       throw new UncheckedIOException("The grammar of " + tag + " cannot be read.", e);

@@ -19,6 +19,8 @@ import java.util.Set;
  * @param lists other words by the list's name: {@code filler}, {@code article}, {@code repair}
  * @param phrases what is said, by the phrase's name, with places in braces
  * @param spellings words that are written otherwise first, such as can't
+ * @param reports how reports are said that are written in another language; none where they are
+ *     written in this one
  */
 public record Grammar(
     String language,
@@ -29,7 +31,8 @@ public record Grammar(
     Map<String, Double> times,
     Map<String, Set<List<String>>> lists,
     Map<String, String> phrases,
-    Map<String, String> spellings) {
+    Map<String, String> spellings,
+    List<ReportRule> reports) {
   /** The category of whole utterances. */
   public static final String START = "Utterance";
 
@@ -41,6 +44,7 @@ public record Grammar(
     lists = Map.copyOf(lists);
     phrases = Map.copyOf(phrases);
     spellings = Map.copyOf(spellings);
+    reports = List.copyOf(reports);
   }
 
   /** The same grammar with more rules after its own. */
@@ -48,7 +52,17 @@ public record Grammar(
     List<Rule> all = new ArrayList<>(rules);
     all.addAll(others);
     return new Grammar(
-        language, all, patterns, inflection, numbers, times, lists, phrases, spellings);
+        language, all, patterns, inflection, numbers, times, lists, phrases, spellings, reports);
+  }
+
+  /** The same grammar with what another file says of reports, and with the phrases of that. */
+  public Grammar withReports(Grammar other) {
+    List<ReportRule> all = new ArrayList<>(reports);
+    all.addAll(other.reports);
+    Map<String, String> more = new LinkedHashMap<>(phrases);
+    more.putAll(other.phrases);
+    return new Grammar(
+        language, rules, patterns, inflection, numbers, times, lists, more, spellings, all);
   }
 
   /** The words of a list; none when there is no such list. */

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -31,6 +32,9 @@ public final class GrammarReader {
 
   private static final int LONGEST_PENALTY = 4;
 
+  private static final Pattern REPORT = Pattern.compile("([A-Z]\\w*)\\s+(.*?)\\s+([-=])>\\s+(.*)");
+  private static final Pattern PLACE = Pattern.compile("\\{(\\w+)[^{}]*}");
+
   private final String file;
   private final List<Rule> rules = new ArrayList<>();
   private final List<Rule> patterns = new ArrayList<>();
@@ -41,6 +45,7 @@ public final class GrammarReader {
   private final Map<String, Set<List<String>>> lists = new HashMap<>();
   private final Map<String, String> phrases = new HashMap<>();
   private final Map<String, String> spellings = new HashMap<>();
+  private final List<ReportRule> reports = new ArrayList<>();
   private String language = "";
   private int line;
 
@@ -75,7 +80,8 @@ public final class GrammarReader {
         reader.times,
         reader.lists,
         reader.phrases,
-        reader.spellings);
+        reader.spellings,
+        reader.reports);
   }
 
   private void take(String content) {
@@ -98,11 +104,12 @@ public final class GrammarReader {
       case "phrase" -> pair(rest, phrases::put);
       case "list" -> list(rest);
       case "pattern" -> pattern(rest);
+      case "report" -> report(rest);
       default ->
           throw fault(
               "begins with " + keyword,
               "write a rule such as Act = v:Vp -> (do v), or language, pattern, ending, irregular,"
-                  + " number, times, list, spelling or phrase");
+                  + " number, times, list, spelling, phrase or report");
     }
   }
 
@@ -197,6 +204,31 @@ public final class GrammarReader {
     }
     String template = rule.group(3) == null ? ConstructionPlaces.FRAME : rule.group(3);
     rule(patterns, rule.group(1), rule.group(2), template, penalty(rule.group(4)));
+  }
+
+  private void report(String rest) {
+    Matcher report = REPORT.matcher(rest);
+    if (!report.matches()) {
+      throw fault(
+          "is no report", "write one such as report Fact {x:thing} is missing => {x} fehlt");
+    }
+    String text = report.group(2);
+    Set<String> places =
+        PLACE.matcher(text).results().map(place -> place.group(1)).collect(Collectors.toSet());
+    PLACE
+        .matcher(report.group(4))
+        .results()
+        .map(place -> place.group(1))
+        .filter(place -> !places.contains(place))
+        .findFirst()
+        .ifPresent(
+            place -> {
+              throw fault(
+                  "{" + place + "} is no place of what is reported",
+                  "write {" + place + ":thing} where it stands there");
+            });
+    reports.add(
+        new ReportRule(report.group(1), text, report.group(4), report.group(3).equals("-"), line));
   }
 
   private void rule(List<Rule> into, String category, String items, String template, int penalty) {

@@ -1,6 +1,7 @@
 package org.maestro.language.wording;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import org.maestro.ontology.wording.StateWord;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
+import org.maestro.sl.TypedVariable;
 
 /**
  * What is so, as people say it: by the words of states where there are some, by where things are,
@@ -21,9 +23,13 @@ import org.maestro.sl.Term;
 public final class FactWords {
   private static final String SO = "so";
   private static final String NOT_SO = "not-so";
+  private static final String TOLD = "told";
+  private static final String NOT_TOLD = "not-told";
   private static final String ONE = "";
   private static final String MANY = "-many";
   private static final String YOU = "-you";
+
+  private static final Map<String, String> DENIED = Map.of(SO, NOT_SO, TOLD, NOT_TOLD);
 
   private final Home home;
   private final Grammar grammar;
@@ -106,6 +112,12 @@ public final class FactWords {
 
   private String together(List<Clause> clauses) {
     Clause first = clauses.get(0);
+    if (first.phrase().equals(TOLD)) {
+      return phrases.listed(clauses.stream().map(Clause::subject).distinct().toList());
+    }
+    if (first.phrase().equals(NOT_TOLD)) {
+      return phrases.of(NOT_TOLD, Map.of("fact", first.subject()));
+    }
     return phrases.of(
         first.phrase() + (clauses.size() > 1 ? MANY : first.count()),
         Map.of(
@@ -129,14 +141,14 @@ public final class FactWords {
       return clauses(forall.body(), named.within(forall.variables(), forall.body(), true));
     } else if (formula instanceof Formula.Not not) {
       return clauses(not.operand(), named)
-          .filter(inner -> inner.size() == 1 && inner.get(0).phrase().equals(SO))
+          .filter(inner -> inner.size() == 1 && DENIED.containsKey(inner.get(0).phrase()))
           .map(
               inner ->
                   List.of(
                       new Clause(
                           inner.get(0).subject(),
                           inner.get(0).count(),
-                          NOT_SO,
+                          DENIED.get(inner.get(0).phrase()),
                           inner.get(0).rest())));
     } else if (formula instanceof Formula.Atom atom) {
       return related(atom, named).map(List::of);
@@ -191,17 +203,37 @@ public final class FactWords {
     if (words.isEmpty() || words.size() < atom.arguments().size()) {
       return Optional.empty();
     }
+    Optional<String> told = in(home.wording().told().getOrDefault(atom.predicate(), List.of()));
+    if (told.isPresent()) {
+      String clause = told(told.get(), atom.predicate(), words);
+      return Optional.of(new Clause(clause, ONE, TOLD, clause));
+    }
     String subject = named.subject(atom.arguments().get(0)).orElse(words.get(0));
     String count = count(atom.arguments().get(0), named);
     if (home.vocabulary().classes().containsKey(atom.predicate())) {
       return Optional.of(
           new Clause(subject, count, SO, phrases.any(naming.word(atom.predicate()))));
     }
-    String how =
-        in(home.wording().prepositions().getOrDefault(atom.predicate(), List.of()))
-            .orElseGet(() -> naming.word(atom.predicate()));
     String others = words.stream().skip(1).collect(Collectors.joining(", "));
-    return Optional.of(new Clause(subject, count, SO, (how + " " + others).strip()));
+    return in(home.wording().prepositions().getOrDefault(atom.predicate(), List.of()))
+        .map(how -> phrases.of("placed", Map.of("how", how, "thing", others)))
+        .or(
+            () ->
+                Optional.of(atom.predicate())
+                    .filter(naming::isNamed)
+                    .map(name -> (naming.word(name) + " " + others).strip()))
+        .map(how -> new Clause(subject, count, SO, how));
+  }
+
+  /** A clause of the predicate's own, by the names of its arguments. */
+  private String told(String clause, String predicate, List<String> words) {
+    Map<String, String> values = new HashMap<>();
+    List<TypedVariable> parameters =
+        home.vocabulary().predicate(predicate).orElseThrow().parameters();
+    for (int i = 0; i < parameters.size(); i++) {
+      values.put(parameters.get(i).name(), words.get(i));
+    }
+    return phrases.filled(clause, values);
   }
 
   private Optional<Clause> compared(Formula.Comparison comparison, NamedTerms named) {
@@ -211,7 +243,7 @@ public final class FactWords {
     }
     List<String> whose =
         fluent.arguments().stream().map(named::text).flatMap(Optional::stream).toList();
-    if (whose.size() < fluent.arguments().size()) {
+    if (whose.size() < fluent.arguments().size() || !naming.isNamed(fluent.name())) {
       return Optional.empty();
     }
     String measure = naming.bare(fluent.name());
@@ -219,7 +251,14 @@ public final class FactWords {
         whose.isEmpty()
             ? measure
             : phrases.of(
-                "measure-of", Map.of("measure", measure, "thing", String.join(", ", whose)));
+                "measure-of",
+                Map.of(
+                    "measure",
+                    measure,
+                    "named",
+                    naming.word(fluent.name()),
+                    "thing",
+                    String.join(", ", whose)));
     return amount(fluent.name(), value.term(), named)
         .map(amount -> new Clause(subject, ONE, phrase(comparison.relation()), amount));
   }

@@ -39,6 +39,11 @@ public final class Naming {
         .orElse(name);
   }
 
+  /** Whether it has a name in this language, or one that counts for all. */
+  boolean isNamed(String name) {
+    return said(name).isPresent();
+  }
+
   /** The same without its article. */
   public String bare(String name) {
     return withoutArticle(word(name));

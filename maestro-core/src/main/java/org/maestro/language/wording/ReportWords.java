@@ -10,12 +10,14 @@ import org.maestro.sl.SlSyntaxException;
 
 /**
  * Reports of who speaks of things by their ids, and of what is so in MAESTRO-SL, such as the
- * sentences of goals' stories, as they are said to people. Immutable.
+ * sentences of goals' stories, as they are said to people: in a language that has rules for reports
+ * by these, else in the words in which they were written. Immutable.
  */
 public final class ReportWords {
   private final Home home;
   private final Naming naming;
   private final FactWords facts;
+  private final Optional<TranslatedReports> translated;
 
   /**
    * In a language.
@@ -26,10 +28,20 @@ public final class ReportWords {
     this.home = home;
     this.naming = new Naming(home, grammar);
     this.facts = new FactWords(home, grammar, listener);
+    this.translated =
+        grammar.reports().isEmpty()
+            ? Optional.empty()
+            : Optional.of(new TranslatedReports(home, grammar, this::fact));
   }
 
   /** One or more sentences. */
   public String of(String report) {
+    return translated
+        .map(translation -> Phrases.capitalized(translation.of(report)))
+        .orElseGet(() -> inTheSameWords(report));
+  }
+
+  private String inTheSameWords(String report) {
     StringBuilder said = new StringBuilder();
     int at = 0;
     while (at < report.length()) {

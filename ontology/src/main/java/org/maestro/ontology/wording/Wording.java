@@ -19,6 +19,8 @@ import java.util.stream.Collectors;
  * @param describing predicates whose values are adjectives
  * @param measures by the fluent's local name
  * @param topics what constructions are about: their local names, by the topic's
+ * @param told how facts of predicates and steps of features are told where not as they are in the
+ *     vocabulary, by local name
  */
 public record Wording(
     Map<String, String> languages,
@@ -28,13 +30,16 @@ public record Wording(
     Map<String, Measure> measures,
     List<StateWord> states,
     List<Construction> constructions,
-    Map<String, Set<String>> topics) {
+    Map<String, Set<String>> topics,
+    Map<String, List<Said>> told) {
   /** Who speaks as nobody says otherwise. */
   static final String HOME = "";
 
   /** No words at all. */
   public static final Wording NONE =
-      new Wording(Map.of(), Map.of(), Map.of(), Set.of(), Map.of(), List.of(), List.of(), Map.of());
+      new Wording(
+          Map.of(), Map.of(), Map.of(), Set.of(), Map.of(), List.of(), List.of(), Map.of(),
+          Map.of());
 
   public Wording {
     languages = Map.copyOf(languages);
@@ -45,6 +50,7 @@ public record Wording(
     states = List.copyOf(states);
     constructions = List.copyOf(constructions);
     topics = Collections.unmodifiableMap(new TreeMap<>(topics));
+    told = Collections.unmodifiableMap(new TreeMap<>(told));
   }
 
   /**
@@ -61,7 +67,8 @@ public record Wording(
         measures,
         states,
         constructions.stream().filter(one -> wanted.contains(one.name())).toList(),
-        topics);
+        topics,
+        told);
   }
 
   /**
@@ -78,7 +85,8 @@ public record Wording(
         kept(measures, isSpokenOf),
         states.stream().filter(state -> isSpokenOf.test(state.of())).toList(),
         constructions,
-        topics);
+        topics,
+        told);
   }
 
   private static <V> Map<String, V> kept(Map<String, V> all, Predicate<String> isSpokenOf) {

@@ -59,6 +59,7 @@ public final class WordingReader {
     List<StateWord> states = new ArrayList<>();
     List<Construction> constructions = new ArrayList<>();
     Map<String, Set<String>> topics = new TreeMap<>();
+    Map<String, List<Said>> told = new TreeMap<>();
     for (Node subject : graph.subjects()) {
       if (!subject.isURI()) {
         continue;
@@ -83,6 +84,10 @@ public final class WordingReader {
         if (!relating.isEmpty()) {
           prepositions.put(name, relating);
         }
+        List<Said> sentences = said(subject, Maestro.term("told"));
+        if (!sentences.isEmpty()) {
+          told.put(name, sentences);
+        }
         if (literals.flag(subject, "describes")) {
           describing.add(name);
         }
@@ -92,7 +97,7 @@ public final class WordingReader {
       }
     }
     return new Wording(
-        languages, names, prepositions, describing, measures, states, constructions, topics);
+        languages, names, prepositions, describing, measures, states, constructions, topics, told);
   }
 
   private List<String> included(Node topic) {

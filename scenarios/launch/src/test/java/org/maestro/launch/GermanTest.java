@@ -9,11 +9,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.maestro.language.Language;
 import org.maestro.language.Understanding;
 import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AnswerWords;
+import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Facts;
 import org.maestro.sl.SlPrinter;
@@ -159,6 +162,37 @@ class GermanTest {
 
   private static AnswerWords.Found found(Truth truth, Map<String, String> binding, double age) {
     return new AnswerWords.Found(truth, binding, OptionalDouble.of(age));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "Waits: rose is held by G2. | Es muss warten: Rose wird gerade für etwas anderes gebraucht.",
+        "lamp-a1 is needed and not there (its connection is gone). It would do if lamp-a1 were there (its connection is gone). | Lampe A1 wird gebraucht und ist nicht da (die Verbindung ist weg). Es ginge, wenn das so wäre: Lampe A1 ist da (die Verbindung ist weg).",
+        "It is needed that Cup is in zone-a, so that rose picks up Cup, and Cup is in zone-b. | Nötig ist: die Tasse ist in Raum A; so aber ist es: die Tasse ist in Raum B. Erst dann ginge: Rose nimmt die Tasse.",
+        "The mass of Cup has to be at most the payload of rose (0.5 kg), so that rose picks up Cup, and it is 0.9 kg. | Die Masse von der Tasse darf höchstens die Tragkraft von Rose (0,5 kg) sein; es ist 0,9 kg. Erst dann ginge: Rose nimmt die Tasse.",
+        "lamp-a1 agreed to adjustLight and did not report within 3 s | Lampe A1 hat zugesagt (Licht einstellen) und sich in 3 Sekunden nicht gemeldet.",
+        "Its deadline has passed while running (lamp-a1 is lost (it gives no answer)). | Die Frist ist vorbei, während es im Gang war (Lampe A1 ist nicht mehr zu erreichen (keine Antwort)).",
+        "That failed: rose says: Cannot drive to zone-b: there is no free way: Cup stands in it. | Das ging nicht: Rose sagt: Ich komme nicht hin (Raum B): kein Weg ist frei: Im Weg steht die Tasse.",
+        "rose cannot see Cup | Es gilt nicht „Rose sieht die Tasse“.",
+      })
+  void reasonsAreSaidInGerman(String report, String said) {
+    GoalWords words = new GoalWords(home, german.grammar(), Optional.empty());
+
+    assertThat(words.report(report)).isEqualTo(said);
+  }
+
+  @Test
+  void whatNoRuleSaysIsQuotedInEnglish() {
+    GoalWords words = new GoalWords(home, german.grammar(), Optional.empty());
+
+    assertThat(words.report("The bulb of lamp-a1 has burst. No agent can bring it about."))
+        .isEqualTo("„The bulb of lamp-a1 has burst“ (auf Englisch). Niemand kann das bewirken.");
+    assertThat(words.report("That failed: lamp-a1 says: my bulb has burst."))
+        .isEqualTo("Das ging nicht: Lampe A1 sagt: „my bulb has burst“ (auf Englisch).");
+    assertThat(words.report("x, ".repeat(400) + "and (so on: " + "y; ".repeat(100)))
+        .contains("(auf Englisch)");
   }
 
   @Test

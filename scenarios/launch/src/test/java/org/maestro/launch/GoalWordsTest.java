@@ -217,7 +217,7 @@ class GoalWordsTest {
         .isEqualTo("Ich bin dabei: Lampe A1 anmachen und dir die Tasse bringen.");
     assertThat(told.reason(lamp)).isEqualTo("Du batest mich: Lampe A1 anmachen; vor zwei Stunden.");
     assertThat(new FactWords(bob, german, Optional.empty()).of(formula("(= (level lamp-a1) 0.5)")))
-        .contains("Helligkeit von Lampe A1 ist 50 Prozent");
+        .contains("die Helligkeit von Lampe A1 ist 50 Prozent");
     assertThat(
             new AbilityWords(
                     new Situation(

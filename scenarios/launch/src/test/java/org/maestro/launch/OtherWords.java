@@ -198,7 +198,8 @@ final class OtherWords {
         measures,
         states,
         constructions,
-        wording.topics());
+        wording.topics(),
+        said(wording.told(), text));
   }
 
   private static Map<String, List<Said>> said(

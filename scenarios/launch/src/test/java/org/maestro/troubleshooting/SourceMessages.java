@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -30,6 +31,13 @@ final class SourceMessages {
 
   static SortedSet<Message> of(Path root) {
     SortedSet<Message> messages = new TreeSet<>();
+    units(root).forEach(unit -> messages.addAll(new UnitMessages(unit).found()));
+    return messages;
+  }
+
+  /** What all of it is written in, file by file. */
+  static List<CompilationUnitTree> units(Path root) {
+    List<CompilationUnitTree> units = new ArrayList<>();
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
         Stream<Path> all = Files.walk(root)) {
@@ -44,12 +52,10 @@ final class SourceMessages {
                   List.of("-proc:none"),
                   null,
                   files.getJavaFileObjectsFromPaths(sources));
-      for (CompilationUnitTree unit : task.parse()) {
-        messages.addAll(new UnitMessages(unit).found());
-      }
+      task.parse().forEach(units::add);
     } catch (IOException e) {
       throw new UncheckedIOException("The sources cannot be read", e);
     }
-    return messages;
+    return units;
   }
 }
