@@ -142,8 +142,11 @@ public final class Listening {
     List<Heard> all = words.heard();
     beginning.end(message, all.isEmpty() ? "" : all.get(all.size() - 1).word());
     QuestionsBack questions = new QuestionsBack(situation, grammar);
+    List<Meaning> tied = meanings.isEmpty() ? List.of() : tied(meanings);
     Optional<String> question =
-        isAmbiguous ? Optional.of(questions.between(tied(meanings))) : doubt.map(questions::of);
+        isAmbiguous
+            ? Optional.of(questions.between(tied(meanings)))
+            : doubt.map(why -> questions.of(why, doubts(tied)));
     return new Understanding(
         utterance,
         message,
@@ -228,6 +231,10 @@ public final class Listening {
                 .distinct()
                 .count()
             > 1;
+  }
+
+  private static List<Doubt> doubts(List<Meaning> meanings) {
+    return meanings.stream().map(Meaning::doubt).flatMap(Optional::stream).toList();
   }
 
   /** Those that are as good as the best. */

@@ -178,7 +178,7 @@ public final class Chart {
             derivation.form().is(head)
                 && (derivation.awaited() instanceof Symbol.Category
                     || derivation.isOfMoreThanWords()),
-        form -> true,
+        possible,
         found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }

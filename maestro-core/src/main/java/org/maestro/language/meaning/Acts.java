@@ -144,7 +144,7 @@ final class Acts {
       Form placed =
           part.is("role")
               ? Form.of("role", part.part(0), NounPhrases.placed(part.part(1), where))
-              : NounPhrases.placed(part, where);
+              : part.is("measure") ? Measures.placed(part, where) : NounPhrases.placed(part, where);
       if (!placed.equals(part)) {
         parts.set(i, placed);
         return new Form(verb.head(), parts);

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.Discourse;
+import org.maestro.language.reference.NounPhrases;
 
 /**
  * What an answer, or what goes on from what was said last, means as a whole: the same act with what
@@ -47,9 +48,20 @@ final class Answers {
                 return filled(last, asked.role().get(), filler).stream();
               }
               return asked.phrase().stream()
-                  .map(phrase -> with(last, phrase, ofKind(phrase, filler)))
+                  .flatMap(phrase -> chosen(phrase, filler).map(one -> with(last, phrase, one)))
                   .filter(whole -> !whole.equals(last));
             });
+  }
+
+  /** What was asked for is this, or, where a room is said, what is in it. */
+  private static Stream<Form> chosen(Form phrase, Form filler) {
+    if (filler.is("rel") || filler.is("here") || filler.is("there")) {
+      return Stream.of(NounPhrases.placed(phrase, filler));
+    }
+    Stream<Form> said = Stream.of(ofKind(phrase, filler));
+    return filler.is("np")
+        ? Stream.concat(said, Stream.of(NounPhrases.placed(phrase, Form.of("within", filler))))
+        : said;
   }
 
   /** "The one on the table" is one of what was asked for. */

@@ -61,6 +61,21 @@ final class Measures {
                             .map(value -> equal(of.fluent(), term, value))));
   }
 
+  /** The measure of what is there; the same, where it was said of what it is. */
+  static Form placed(Form measure, Form where) {
+    int last = measure.parts().size() - 1;
+    Form whose = measure.part(last);
+    Form placed = NounPhrases.placed(whose, where);
+    if (!placed.equals(whose)) {
+      List<Form> parts = new ArrayList<>(measure.parts());
+      parts.set(last, placed);
+      return new Form(measure.head(), parts);
+    }
+    return whose.is("fluent") || whose.is("more") || whose.is("less")
+        ? Form.of("measure", whose, where)
+        : measure;
+  }
+
   private boolean isInRange(Of of, double value) {
     boolean isInRange = mayBe(of, value);
     if (!isInRange) {
@@ -383,6 +398,7 @@ final class Measures {
             || whose.is("there")
             || whose.is("everywhere")
             || whose.is("from")
+            || whose.is("within")
             || whose.is("either");
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
@@ -404,7 +420,7 @@ final class Measures {
           .<Reference>map(here -> new Reference.Single(new Term.Name(here)))
           .orElse(new Reference.Mistyped(where));
     }
-    return where.is("rel") || where.is("from")
+    return where.is("rel") || where.is("from") || where.is("within")
         ? phrases.resolve(where.is("rel") ? where.part(1) : where.part(0), type)
         : new Reference.Mistyped(where);
   }

@@ -138,6 +138,24 @@ class UnderstandCommandTest {
         .contains("(= (level ceiling-living) 0)", "(not (switchedOn stereo))");
   }
 
+  /** What follows a yes may take it back: of course not. */
+  @Test
+  void whatWasAskedBackIsNotBegunBeforeTheAnswerEnds() throws IOException {
+    Path file =
+        Files.writeString(
+            directory.resolve("said.tsv"),
+            "yes, of course\tDave\tkitchen\tturn on the oven\n"
+                + "of course not\tDave\tkitchen\tturn on the oven");
+
+    List<String> printed =
+        Printed.by("understand", "--scene", "evening", "--json", "--file", file.toString())
+            .lines()
+            .toList();
+
+    assertThat(printed.get(0)).contains("(switchedOn oven)", "\"began\":[]");
+    assertThat(printed.get(1)).contains("All right.", "\"began\":[]");
+  }
+
   /** ADE, 4.2: one glass stands on the table and one on the floor. */
   @Test
   void theGlassOnTheFloorIsFoundWordByWord() throws IOException {
