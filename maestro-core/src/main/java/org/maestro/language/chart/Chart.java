@@ -218,6 +218,12 @@ public final class Chart {
     return ((Symbol.Category) category).name();
   }
 
+  /** Whether what was said last is of this category, and more could belong to it. */
+  public boolean isOpenAfter(String category) {
+    Symbol last = new Symbol.Category(category);
+    return columns.get(columns.size() - 1).all().stream().anyMatch(one -> one.isAfter(last));
+  }
+
   /** Whether a word of this category could come next. */
   public boolean predicts(String category) {
     return columns.get(columns.size() - 1).predicts(category);

@@ -13,6 +13,8 @@ import org.maestro.language.reference.NounPhrases;
  * was open, or with something else in its place (A67). Immutable.
  */
 final class Answers {
+  private static final List<String> AMOUNTS = List.of("number", "percent", "points", "quantity");
+
   private final Discourse discourse;
 
   Answers(Discourse discourse) {
@@ -109,8 +111,16 @@ final class Answers {
   /** The act about something else: each of its phrases may be meant, or its place. */
   private static List<Form> replaced(Form last, Form other) {
     List<Form> phrases = new ArrayList<>();
-    collect(last, other.is("rel") ? "rel" : "np", phrases);
+    if (isAmount(other)) {
+      AMOUNTS.forEach(head -> collect(last, head, phrases));
+    } else {
+      collect(last, other.is("rel") ? "rel" : "np", phrases);
+    }
     return phrases.stream().map(phrase -> with(last, phrase, other)).distinct().toList();
+  }
+
+  private static boolean isAmount(Form form) {
+    return AMOUNTS.stream().anyMatch(form::is);
   }
 
   private static void collect(Form form, String head, List<Form> found) {

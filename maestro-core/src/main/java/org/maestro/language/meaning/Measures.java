@@ -97,13 +97,17 @@ final class Measures {
                     of.whose(),
                     term -> {
                       OptionalDouble now = now(of, term);
-                      return now.isEmpty()
-                          ? Optional.empty()
-                          : Optional.of(
-                              equal(
-                                  of.fluent(),
-                                  term,
-                                  within(of, now.getAsDouble() + sign * step(of, by, now))));
+                      if (now.isEmpty()) {
+                        return Optional.empty();
+                      }
+                      double step = step(of, by, now);
+                      Formula changed =
+                          equal(of.fluent(), term, within(of, now.getAsDouble() + sign * step));
+                      if (step == 0 && of.whose() instanceof Reference.Single) {
+                        references.doubt(new Doubt.Unchanged(changed));
+                        return Optional.empty();
+                      }
+                      return Optional.of(changed);
                     }));
   }
 
@@ -227,8 +231,20 @@ final class Measures {
       case "quantity" -> Optional.of(rounded(inCelsius(amount)));
       case "most" -> whole.isPresent() ? Optional.of(whole.getAsDouble()) : Optional.empty();
       case "least" -> Optional.of(of.fluent().least().orElse(0));
+      case "as" -> as(of, amount.part(0));
       default -> Optional.empty();
     };
+  }
+
+  /** As much as something else has now. */
+  private Optional<Double> as(Of of, Form other) {
+    Reference than = whoseElse(of.fluent(), other);
+    if (than instanceof Reference.Single single) {
+      OptionalDouble now = now(of, single.term());
+      return now.isPresent() ? Optional.of(now.getAsDouble()) : Optional.empty();
+    }
+    references.over(than, term -> Optional.empty());
+    return Optional.empty();
   }
 
   /** A lamp at fifty is half on: above the whole, a number is a percentage. */

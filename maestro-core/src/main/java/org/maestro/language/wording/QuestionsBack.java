@@ -77,9 +77,12 @@ public final class QuestionsBack {
     }
     return new NounPhrases(situation).resolve(anywhere, "") instanceof Reference.Single single
             && single.term() instanceof Term.Name thing
-        ? where(thing)
-            .flatMap(new FactWords(situation.home(), grammar, situation.speaker())::sentence)
+        ? where(thing).flatMap(facts()::sentence)
         : Optional.empty();
+  }
+
+  private FactWords facts() {
+    return new FactWords(situation.home(), grammar, situation.speaker());
   }
 
   private Optional<Formula> where(Term.Name thing) {
@@ -116,6 +119,8 @@ public final class QuestionsBack {
                       .collect(Collectors.joining(" "))));
     } else if (doubt instanceof Doubt.OutOfRange range) {
       return outOfRange(range);
+    } else if (doubt instanceof Doubt.Unchanged unchanged) {
+      return facts().sentence(unchanged.so()).orElseGet(() -> grammar.phrase("not-possible"));
     } else if (doubt instanceof Doubt.LeftOut leftOut) {
       return phrases.of(
           "without", Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));

@@ -128,6 +128,16 @@ class UnderstandCommandTest {
     assertThat(Printed.by("understand", "if the oven is hot", "--json")).contains("\"began\":[]");
   }
 
+  /** Thirty may be degrees, percent, or minutes. */
+  @Test
+  void aNumberWaitsForItsUnit() {
+    assertThat(Printed.by("understand", "set the bedroom to 30 percent", "--json"))
+        .contains("\"meaning\":null", "\"began\":[]");
+    assertThat(Printed.by("understand", "set the bedroom to 30 degrees", "--json"))
+        .contains("\"after\":\"degrees\"", "\"calledOff\":null")
+        .doesNotContain("\"after\":\"30\"");
+  }
+
   @Test
   void everythingIsSwitchedOffOnlyAfterAYes() throws IOException {
     Path file =
