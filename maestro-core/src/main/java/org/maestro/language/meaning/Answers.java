@@ -57,6 +57,9 @@ final class Answers {
 
   /** What was asked for is this, or, where a room is said, what is in it. */
   private static Stream<Form> chosen(Form phrase, Form filler) {
+    if (filler.is("all") || filler.is("both")) {
+      return phrase.is("np") ? Stream.of(allOf(phrase, filler.is("both"))) : Stream.of();
+    }
     if (filler.is("rel") || filler.is("here") || filler.is("there")) {
       return Stream.of(NounPhrases.placed(phrase, filler));
     }
@@ -64,6 +67,14 @@ final class Answers {
     return filler.is("np")
         ? Stream.concat(said, Stream.of(NounPhrases.placed(phrase, Form.of("within", filler))))
         : said;
+  }
+
+  /** All that may have been meant, or both where there are two. */
+  private static Form allOf(Form phrase, boolean isOfTwo) {
+    Form nominal = phrase.part(phrase.parts().size() - 1);
+    return isOfTwo
+        ? Form.of("np", Form.leaf("count"), Form.leaf("2"), nominal)
+        : Form.of("np", Form.leaf("every"), nominal);
   }
 
   /** "The one on the table" is one of what was asked for. */

@@ -77,7 +77,9 @@ public final class QuestionsBack {
     }
     return new NounPhrases(situation).resolve(anywhere, "") instanceof Reference.Single single
             && single.term() instanceof Term.Name thing
-        ? where(thing).flatMap(facts()::sentence)
+        ? where(thing)
+            .flatMap(facts()::sentence)
+            .or(() -> Optional.of(phrases.of("not-there", Map.of("what", naming.of(thing)))))
         : Optional.empty();
   }
 
