@@ -19,11 +19,19 @@ final class Beginning {
 
   private final List<Understanding.Begun> began = new ArrayList<>();
 
-  /** After the word it is certain that this is meant, if nothing else follows. */
-  void understood(String word, Meaning meaning) {
+  /**
+   * After the word it is certain that this is meant, if nothing else follows.
+   *
+   * @param open whether it is likely that something does, as a unit after a number: nothing is
+   *     begun then
+   */
+  void understood(String word, Meaning meaning, boolean open) {
     Optional<Content> message = meaning.message();
     boolean mayBegin =
-        meaning.early() && meaning.penalty() <= USUAL && message.flatMap(Meaning::goal).isPresent();
+        !open
+            && meaning.early()
+            && meaning.penalty() <= USUAL
+            && message.flatMap(Meaning::goal).isPresent();
     if (message.isEmpty()) {
       return;
     }

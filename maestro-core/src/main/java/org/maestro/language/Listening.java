@@ -12,6 +12,7 @@ import org.maestro.language.grammar.Grammar;
 import org.maestro.language.grammar.Rule;
 import org.maestro.language.hearing.Heard;
 import org.maestro.language.hearing.HeardWords;
+import org.maestro.language.lexicon.Lexicon;
 import org.maestro.language.meaning.Doubt;
 import org.maestro.language.meaning.Interpreter;
 import org.maestro.language.meaning.Meaning;
@@ -60,7 +61,9 @@ public final class Listening {
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
     Optional<Meaning> best = best(now);
-    best.ifPresent(meaning -> beginning.understood(word, meaning));
+    // What a number is of may still follow it.
+    boolean isOpen = best.isPresent() && words.chart().isOpenAfter(Lexicon.NUMBER);
+    best.ifPresent(meaning -> beginning.understood(word, meaning, isOpen));
     if (word.codePoints().anyMatch(Character::isLetterOrDigit)) {
       isComplete = best.flatMap(Meaning::message).isPresent();
     }
@@ -142,8 +145,11 @@ public final class Listening {
     List<Heard> all = words.heard();
     beginning.end(message, all.isEmpty() ? "" : all.get(all.size() - 1).word());
     QuestionsBack questions = new QuestionsBack(situation, grammar);
+    List<Meaning> tied = meanings.isEmpty() ? List.of() : tied(meanings);
     Optional<String> question =
-        isAmbiguous ? Optional.of(questions.between(tied(meanings))) : doubt.map(questions::of);
+        isAmbiguous
+            ? Optional.of(questions.between(tied(meanings)))
+            : doubt.map(why -> questions.of(why, doubts(tied)));
     return new Understanding(
         utterance,
         message,
@@ -228,6 +234,10 @@ public final class Listening {
                 .distinct()
                 .count()
             > 1;
+  }
+
+  private static List<Doubt> doubts(List<Meaning> meanings) {
+    return meanings.stream().map(Meaning::doubt).flatMap(Optional::stream).toList();
   }
 
   /** Those that are as good as the best. */

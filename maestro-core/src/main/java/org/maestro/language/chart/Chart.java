@@ -178,7 +178,7 @@ public final class Chart {
             derivation.form().is(head)
                 && (derivation.awaited() instanceof Symbol.Category
                     || derivation.isOfMoreThanWords()),
-        form -> true,
+        possible,
         found);
     return found.stream().distinct().sorted(Comparator.comparingInt(Reading::penalty)).toList();
   }
@@ -216,6 +216,12 @@ public final class Chart {
 
   private static String own(Symbol category) {
     return ((Symbol.Category) category).name();
+  }
+
+  /** Whether what was said last is of this category, and more could belong to it. */
+  public boolean isOpenAfter(String category) {
+    Symbol last = new Symbol.Category(category);
+    return columns.get(columns.size() - 1).all().stream().anyMatch(one -> one.isAfter(last));
   }
 
   /** Whether a word of this category could come next. */

@@ -33,6 +33,11 @@ record Derivation(Rule rule, int dot, int origin, Optional<Heard> heard, int pen
     return rule.symbols().subList(0, dot).stream().anyMatch(Symbol.Category.class::isInstance);
   }
 
+  /** Whether this was heard last of it. */
+  boolean isAfter(Symbol symbol) {
+    return dot > 0 && rule.symbols().get(dot - 1).equals(symbol);
+  }
+
   Symbol awaited() {
     return rule.symbols().get(dot);
   }

@@ -64,6 +64,9 @@ public final class Lexicon implements WordEntries {
   /** A name of somebody to whom one speaks: a robot. */
   public static final String ADDRESSEE = "Addressee";
 
+  /** A name of a room, to which one may speak from another one: {@code (name kitchen)}. */
+  public static final String ROOM = "Room";
+
   /** A word for a state that is one for things, too, such as light. */
   public static final String NOUN_STATE = "NounState";
 

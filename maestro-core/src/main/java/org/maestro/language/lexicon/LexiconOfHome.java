@@ -25,6 +25,7 @@ import org.maestro.sl.Term;
 public final class LexiconOfHome {
   private static final String PLURAL = "plural";
   private static final String THING = "Thing";
+  private static final String ROOM = "Zone";
   private static final String POSITIVE = "positive";
   private static final String SUPERLATIVE = "superlative";
   private static final String ADJECTIVE_FORMS = "adjective-forms";
@@ -94,14 +95,23 @@ public final class LexiconOfHome {
           if (same.stream().allMatch(name -> isSpokenTo(name.head()))) {
             enter(Lexicon.ADDRESSEE, words, named);
           }
+          List<Form> rooms = same.stream().filter(name -> isRoom(name.head())).toList();
+          if (!rooms.isEmpty()) {
+            enter(Lexicon.ROOM, words, new Form("name", rooms));
+          }
           forms("name-forms")
               .forEach(form -> enter(Lexicon.NAME_OWNING, inflected(words, form), named));
         });
   }
 
+  private boolean isRoom(String name) {
+    Individual individual = home.individuals().get(name);
+    return individual != null && individual.classes().contains(ROOM);
+  }
+
   /**
-   * Only what acts by itself, as a robot does: the room or the lamp with which a sentence ends may
-   * be what the sentence is about, and is not passed over.
+   * Only what acts by itself, as a robot does: who is spoken to is passed over, and where the room
+   * is that a sentence speaks to, or ends with, tells what is meant.
    */
   private boolean isSpokenTo(String name) {
     Individual individual = home.individuals().get(name);

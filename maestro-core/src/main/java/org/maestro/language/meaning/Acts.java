@@ -115,6 +115,7 @@ final class Acts {
       case "frame" -> frames.message(verb);
       case "both" -> both(verb);
       case "query" -> questions.message(verb.part(0));
+      case "excepting" -> command(excepting(verb.part(0), verb.part(1)));
       case "located" -> command(located(verb.part(0), verb.part(1)));
       case "run" -> Optional.of(run(verb.part(0)));
       case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
@@ -144,7 +145,7 @@ final class Acts {
       Form placed =
           part.is("role")
               ? Form.of("role", part.part(0), NounPhrases.placed(part.part(1), where))
-              : NounPhrases.placed(part, where);
+              : part.is("measure") ? Measures.placed(part, where) : NounPhrases.placed(part, where);
       if (!placed.equals(part)) {
         parts.set(i, placed);
         return new Form(verb.head(), parts);
@@ -153,6 +154,22 @@ final class Acts {
     return construction
         .flatMap(one -> withUnsaid(one, verb, where))
         .orElseGet(() -> Form.of("nowhere"));
+  }
+
+  /** What is left out at the end is left out of the first thing that was said. */
+  private static Form excepting(Form verb, Form but) {
+    List<Form> parts = new ArrayList<>(verb.parts());
+    for (int i = 0; i < parts.size(); i++) {
+      Form part = parts.get(i);
+      if (part.is("np") || part.is("everything")) {
+        parts.set(i, Form.of("except", part, but));
+        return new Form(verb.head(), parts);
+      } else if (part.is("role") && part.part(1).is("np")) {
+        parts.set(i, Form.of("role", part.part(0), Form.of("except", part.part(1), but)));
+        return new Form(verb.head(), parts);
+      }
+    }
+    return Form.of("nowhere");
   }
 
   private boolean mayBeSomewhere(Optional<Construction> construction, String role) {

@@ -6,12 +6,15 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.reference.Discourse;
+import org.maestro.language.reference.NounPhrases;
 
 /**
  * What an answer, or what goes on from what was said last, means as a whole: the same act with what
  * was open, or with something else in its place (A67). Immutable.
  */
 final class Answers {
+  private static final List<String> AMOUNTS = List.of("number", "percent", "points", "quantity");
+
   private final Discourse discourse;
 
   Answers(Discourse discourse) {
@@ -47,9 +50,31 @@ final class Answers {
                 return filled(last, asked.role().get(), filler).stream();
               }
               return asked.phrase().stream()
-                  .map(phrase -> with(last, phrase, ofKind(phrase, filler)))
+                  .flatMap(phrase -> chosen(phrase, filler).map(one -> with(last, phrase, one)))
                   .filter(whole -> !whole.equals(last));
             });
+  }
+
+  /** What was asked for is this, or, where a room is said, what is in it. */
+  private static Stream<Form> chosen(Form phrase, Form filler) {
+    if (filler.is("all") || filler.is("both")) {
+      return phrase.is("np") ? Stream.of(allOf(phrase, filler.is("both"))) : Stream.of();
+    }
+    if (filler.is("rel") || filler.is("here") || filler.is("there")) {
+      return Stream.of(NounPhrases.placed(phrase, filler));
+    }
+    Stream<Form> said = Stream.of(ofKind(phrase, filler));
+    return filler.is("np")
+        ? Stream.concat(said, Stream.of(NounPhrases.placed(phrase, Form.of("within", filler))))
+        : said;
+  }
+
+  /** All that may have been meant, or both where there are two. */
+  private static Form allOf(Form phrase, boolean isOfTwo) {
+    Form nominal = phrase.part(phrase.parts().size() - 1);
+    return isOfTwo
+        ? Form.of("np", Form.leaf("count"), Form.leaf("2"), nominal)
+        : Form.of("np", Form.leaf("every"), nominal);
   }
 
   /** "The one on the table" is one of what was asked for. */
@@ -97,8 +122,16 @@ final class Answers {
   /** The act about something else: each of its phrases may be meant, or its place. */
   private static List<Form> replaced(Form last, Form other) {
     List<Form> phrases = new ArrayList<>();
-    collect(last, other.is("rel") ? "rel" : "np", phrases);
+    if (isAmount(other)) {
+      AMOUNTS.forEach(head -> collect(last, head, phrases));
+    } else {
+      collect(last, other.is("rel") ? "rel" : "np", phrases);
+    }
     return phrases.stream().map(phrase -> with(last, phrase, other)).distinct().toList();
+  }
+
+  private static boolean isAmount(Form form) {
+    return AMOUNTS.stream().anyMatch(form::is);
   }
 
   private static void collect(Form form, String head, List<Form> found) {

@@ -4,6 +4,7 @@ import java.util.List;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
 /** Why something that was said cannot be done yet. */
@@ -26,6 +27,9 @@ public sealed interface Doubt {
 
   /** It cannot be so much, or so little: {@code least} to {@code most} it can. */
   record OutOfRange(String fluent, double least, double most) implements Doubt {}
+
+  /** A share of nothing is nothing: it stays as it is. */
+  record Unchanged(Formula so) implements Doubt {}
 
   /**
    * Words are unknown, and without them it can be understood.

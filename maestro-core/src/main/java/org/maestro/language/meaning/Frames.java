@@ -106,8 +106,22 @@ final class Frames {
         references.doubt(new Doubt.Missing(construction, role));
         return false;
       }
+      if (role.type().equals(Construction.Role.RELATION) && !mayBeReached(filler)) {
+        // Nothing is put from somewhere.
+        references.die();
+        return false;
+      }
     }
     return true;
+  }
+
+  private boolean mayBeReached(Form where) {
+    return where.is("_")
+        || where.is("here")
+        || where.is("there")
+        || where.is("rel")
+            && (where.part(0).is("_")
+                || states.predicates(where.part(0)).stream().anyMatch(Relations::isBroughtAbout));
   }
 
   /** Whether what was said may be of the kinds that are wanted. */

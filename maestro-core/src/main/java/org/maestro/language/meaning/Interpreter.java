@@ -2,7 +2,10 @@ package org.maestro.language.meaning;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.maestro.language.chart.Reading;
@@ -25,6 +28,9 @@ public final class Interpreter {
   private final Settables settables;
   private final Confirmed confirmed;
 
+  /** By room, what is said to it is interpreted so. */
+  private final Map<String, Interpreter> rooms = new HashMap<>();
+
   /**
    * In a situation.
    *
@@ -45,7 +51,14 @@ public final class Interpreter {
   public List<Meaning> of(List<Reading> readings) {
     List<Meaning> meanings = new ArrayList<>();
     Answers answers = new Answers(situation.discourse());
+    Map<Form, List<Reading>> toRooms = new LinkedHashMap<>();
     for (Reading reading : readings.subList(0, Math.min(READINGS, readings.size()))) {
+      if (reading.form().is("spokento")) {
+        toRooms
+            .computeIfAbsent(reading.form().part(0), room -> new ArrayList<>())
+            .add(new Reading(reading.form().part(1), reading.penalty()));
+        continue;
+      }
       List<Form> wholes = answers.of(reading.form()).toList();
       boolean isConfirmed = reading.form().is("yes");
       for (Form whole : wholes) {
@@ -55,6 +68,12 @@ public final class Interpreter {
         meaning(reading, false).ifPresent(meanings::add);
       }
     }
+    toRooms.forEach(
+        (room, said) ->
+            inRoom(room).stream()
+                .flatMap(there -> there.of(said).stream())
+                .map(meant -> meant.of(Form.of("spokento", room, meant.form())))
+                .forEach(meanings::add));
     meanings.sort(Comparator.comparingInt(Meaning::broken).thenComparingInt(Meaning::penalty));
     Everything.together(meanings)
         .flatMap(all -> meaning(new Reading(all, meanings.get(0).penalty()), false))
@@ -72,8 +91,13 @@ public final class Interpreter {
    * @param isAsked whether what is always asked back was asked already
    */
   private Optional<Meaning> meaning(Reading reading, boolean isAsked) {
-    Acts acts = Acts.in(situation, phrases.afresh(), settables, idle);
     Form form = reading.form();
+    if (form.is("spokento")) {
+      return inRoom(form.part(0))
+          .flatMap(there -> there.meaning(new Reading(form.part(1), reading.penalty()), isAsked))
+          .map(meant -> meant.of(form));
+    }
+    Acts acts = Acts.in(situation, phrases.afresh(), settables, idle);
     Optional<Content> message = isBare(form) ? Optional.empty() : acts.message(form);
     References references = acts.references();
     if (references.isDead()
@@ -89,10 +113,19 @@ public final class Interpreter {
             kind(form),
             references.broken() + references.phrases().supposed(),
             reading.penalty(),
-            isEarly(form, acts),
+            !isAsked && isEarly(form, acts),
             references.phrases().mentioned(),
             references.phrases().kinds(),
             references.phrases().group()));
+  }
+
+  /** What is said to a room means what it would mean if it were said there. */
+  private Optional<Interpreter> inRoom(Form room) {
+    return room.parts().size() == 1
+        ? Optional.of(
+            rooms.computeIfAbsent(
+                room.text(0), name -> new Interpreter(situation.saidIn(name), idle)))
+        : Optional.empty();
   }
 
   /** What says nothing by itself: an answer, a greeting. */

@@ -52,6 +52,12 @@ public record Meaning(
         group);
   }
 
+  /** The same, where it is the meaning of more than that. */
+  Meaning of(Form whole) {
+    return new Meaning(
+        whole, message, doubt, kind, broken, penalty, early, mentioned, classes, group);
+  }
+
   /** The formula of a message that states a goal. */
   public static Optional<Formula> goal(Content message) {
     return Acts.goalOf(message);

@@ -61,6 +61,21 @@ final class Measures {
                             .map(value -> equal(of.fluent(), term, value))));
   }
 
+  /** The measure of what is there; the same, where it was said of what it is. */
+  static Form placed(Form measure, Form where) {
+    int last = measure.parts().size() - 1;
+    Form whose = measure.part(last);
+    Form placed = NounPhrases.placed(whose, where);
+    if (!placed.equals(whose)) {
+      List<Form> parts = new ArrayList<>(measure.parts());
+      parts.set(last, placed);
+      return new Form(measure.head(), parts);
+    }
+    return whose.is("fluent") || whose.is("more") || whose.is("less")
+        ? Form.of("measure", whose, where)
+        : measure;
+  }
+
   private boolean isInRange(Of of, double value) {
     boolean isInRange = mayBe(of, value);
     if (!isInRange) {
@@ -82,13 +97,17 @@ final class Measures {
                     of.whose(),
                     term -> {
                       OptionalDouble now = now(of, term);
-                      return now.isEmpty()
-                          ? Optional.empty()
-                          : Optional.of(
-                              equal(
-                                  of.fluent(),
-                                  term,
-                                  within(of, now.getAsDouble() + sign * step(of, by, now))));
+                      if (now.isEmpty()) {
+                        return Optional.empty();
+                      }
+                      double step = step(of, by, now);
+                      Formula changed =
+                          equal(of.fluent(), term, within(of, now.getAsDouble() + sign * step));
+                      if (step == 0 && of.whose() instanceof Reference.Single) {
+                        references.doubt(new Doubt.Unchanged(changed));
+                        return Optional.empty();
+                      }
+                      return Optional.of(changed);
                     }));
   }
 
@@ -212,8 +231,20 @@ final class Measures {
       case "quantity" -> Optional.of(rounded(inCelsius(amount)));
       case "most" -> whole.isPresent() ? Optional.of(whole.getAsDouble()) : Optional.empty();
       case "least" -> Optional.of(of.fluent().least().orElse(0));
+      case "as" -> as(of, amount.part(0));
       default -> Optional.empty();
     };
+  }
+
+  /** As much as something else has now. */
+  private Optional<Double> as(Of of, Form other) {
+    Reference than = whoseElse(of.fluent(), other);
+    if (than instanceof Reference.Single single) {
+      OptionalDouble now = now(of, single.term());
+      return now.isPresent() ? Optional.of(now.getAsDouble()) : Optional.empty();
+    }
+    references.over(than, term -> Optional.empty());
+    return Optional.empty();
   }
 
   /** A lamp at fifty is half on: above the whole, a number is a percentage. */
@@ -383,6 +414,7 @@ final class Measures {
             || whose.is("there")
             || whose.is("everywhere")
             || whose.is("from")
+            || whose.is("within")
             || whose.is("either");
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
@@ -404,7 +436,7 @@ final class Measures {
           .<Reference>map(here -> new Reference.Single(new Term.Name(here)))
           .orElse(new Reference.Mistyped(where));
     }
-    return where.is("rel") || where.is("from")
+    return where.is("rel") || where.is("from") || where.is("within")
         ? phrases.resolve(where.is("rel") ? where.part(1) : where.part(0), type)
         : new Reference.Mistyped(where);
   }

@@ -61,6 +61,12 @@ final class Questions {
     if (clause.is("happens") || clause.is("compares")) {
       return acts.condition(clause);
     }
+    if (clause.is("same")) {
+      return measures.comparedWith(
+          Form.of("measure", clause.part(0), clause.part(1)),
+          Formula.Relation.EQUAL,
+          clause.part(2));
+    }
     if (!clause.is("compare") && !clause.is("comparewith")) {
       return states.holding(clause.part(0), clause.part(1));
     }

@@ -34,11 +34,19 @@ final class Choosing {
    * not known, as nobody can tell then.
    */
   List<Term.Name> chosen(Description description, List<Term.Name> candidates) {
+    return chosenOf(description, among(description, candidates));
+  }
+
+  /** Those that are here, where any are and it was not said where. */
+  private List<Term.Name> among(Description description, List<Term.Name> candidates) {
     boolean arePlaces =
         situation.here().map(Term.Name::new).filter(candidates::contains).isPresent();
     List<Term.Name> here =
         description.placed() || arePlaces ? List.of() : surroundings.here(candidates);
-    List<Term.Name> among = here.isEmpty() ? candidates : here;
+    return here.isEmpty() ? candidates : here;
+  }
+
+  private List<Term.Name> chosenOf(Description description, List<Term.Name> among) {
     if (description.choice() instanceof Choice.Nth nth) {
       int index = nth.number() < 0 ? among.size() - 1 : nth.number() - 1;
       return index >= 0 && index < among.size() ? List.of(among.get(index)) : List.of();
@@ -46,6 +54,24 @@ final class Choosing {
     return description.choice() instanceof Choice.Extreme extreme
         ? extremes(extreme, among)
         : among;
+  }
+
+  /**
+   * So many that come first, by their number or in their order; more of them where it is not known
+   * which these are, and fewer where there are not so many.
+   */
+  List<Term.Name> first(Description description, List<Term.Name> candidates, int number) {
+    List<Term.Name> left = new ArrayList<>(among(description, candidates));
+    List<Term.Name> first = new ArrayList<>();
+    while (first.size() < number && !left.isEmpty()) {
+      List<Term.Name> next = List.copyOf(chosenOf(description, left));
+      if (next.isEmpty()) {
+        return List.of();
+      }
+      first.addAll(next);
+      left.removeAll(next);
+    }
+    return first;
   }
 
   private List<Term.Name> extremes(Choice.Extreme extreme, List<Term.Name> among) {

@@ -168,6 +168,10 @@ final class Descriptions {
         return either(head, where);
       case "where":
         return whereIs(head, where.part(0));
+      case "within":
+        return phrases.resolve(where.part(0), "") instanceof Reference.Single place
+            ? Optional.of(within(head, place.term()).placedSomewhere())
+            : Optional.empty();
       case "from":
         return from(head, where.part(0));
       case "rel":

@@ -392,7 +392,7 @@ public final class NounPhrases {
     return switch (determiner) {
       case "a", "some" -> any(description, className, phrase, candidates);
       case "all", "every" -> all(description, className, phrase, candidates);
-      case "count" -> exactly(phrase, candidates, wholeNumber(phrase.text(1)));
+      case "count" -> exactly(description, phrase, candidates, wholeNumber(phrase.text(1)));
       case "this" ->
           definite(
               description, phrase, surroundings.present(candidates, kind(description, className)));
@@ -617,7 +617,14 @@ public final class NounPhrases {
         description.conditions().stream().map(named::apply).toList());
   }
 
-  private Reference exactly(Form phrase, List<Term.Name> candidates, int number) {
+  private Reference exactly(
+      Description description, Form phrase, List<Term.Name> candidates, int number) {
+    if (description.choice() != Choice.UNSAID) {
+      List<Term.Name> chosen = choosing.first(description, candidates, number);
+      return chosen.size() == number && number > 0
+          ? together(chosen)
+          : chosen.isEmpty() ? new Reference.None(phrase) : new Reference.Open(phrase, chosen);
+    }
     List<Term.Name> here = candidates.stream().filter(this::isHere).toList();
     List<Term.Name> fitting = here.size() == number ? here : candidates;
     if (fitting.size() == number) {

@@ -28,6 +28,11 @@ public record Situation(
     return new Situation(home, facts, Optional.of(other), here, self, minuteOfDay, discourse);
   }
 
+  /** The same, as if it were said in another room. */
+  public Situation saidIn(String room) {
+    return new Situation(home, facts, speaker, Optional.of(room), self, minuteOfDay, discourse);
+  }
+
   /** The same after something was spoken of. */
   public Situation after(Discourse later) {
     return new Situation(home, facts, speaker, here, self, minuteOfDay, later);

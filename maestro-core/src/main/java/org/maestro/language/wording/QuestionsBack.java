@@ -1,11 +1,13 @@
 package org.maestro.language.wording;
 
+import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.language.meaning.Doubt;
@@ -27,6 +29,8 @@ public final class QuestionsBack {
   /** Of more things nobody wants to hear the names. */
   private static final int CHOICES = 4;
 
+  private static final String ROOM = "Zone";
+
   private final Situation situation;
   private final Grammar grammar;
   private final Naming naming;
@@ -44,6 +48,59 @@ public final class QuestionsBack {
   /** The sentence for a doubt. */
   public String of(Doubt doubt) {
     return Phrases.capitalized(sentence(doubt));
+  }
+
+  /**
+   * The sentence for a doubt. Of what is not where it was said to be it is told where it is.
+   *
+   * @param alike those of readings that are as good
+   */
+  public String of(Doubt doubt, List<Doubt> alike) {
+    return doubt instanceof Doubt.NoSuch
+        ? alike.stream()
+            .filter(Doubt.NoSuch.class::isInstance)
+            .flatMap(none -> elsewhere(((Doubt.NoSuch) none).said()).stream())
+            .findFirst()
+            .orElseGet(() -> of(doubt))
+        : of(doubt);
+  }
+
+  /** Where the only thing is of which it was said that it is somewhere else. */
+  private Optional<String> elsewhere(Form said) {
+    boolean isOfOne = said.is("np") && (said.text(0).equals("the") || said.text(0).equals("this"));
+    if (!isOfOne || !said.part(1).is("at")) {
+      return Optional.empty();
+    }
+    Form anywhere = Form.of("np", said.part(0), said.part(1).part(0));
+    if (anywhere.part(1).is("at")) {
+      return elsewhere(anywhere);
+    }
+    return new NounPhrases(situation).resolve(anywhere, "") instanceof Reference.Single single
+            && single.term() instanceof Term.Name thing
+        ? where(thing)
+            .flatMap(facts()::sentence)
+            .or(() -> Optional.of(phrases.of("not-there", Map.of("what", naming.of(thing)))))
+        : Optional.empty();
+  }
+
+  private FactWords facts() {
+    return new FactWords(situation.home(), grammar, situation.speaker());
+  }
+
+  private Optional<Formula> where(Term.Name thing) {
+    return situation.home().wording().prepositions().keySet().stream()
+        .map(situation.home().vocabulary()::predicate)
+        .flatMap(Optional::stream)
+        .filter(predicate -> predicate.parameters().size() == 2 && !predicate.symmetric())
+        .sorted(Comparator.comparing(predicate -> !Relations.isBroughtAbout(predicate)))
+        .flatMap(
+            predicate ->
+                places(predicate, thing)
+                    .map(place -> new Formula.Atom(predicate.name(), List.of(thing, place)))
+                    .limit(1))
+        // On which table somebody finds it sooner than in which room.
+        .min(Comparator.comparing(place -> relations.isA(place.arguments().get(1), ROOM)))
+        .map(place -> place);
   }
 
   private String sentence(Doubt doubt) {
@@ -64,6 +121,8 @@ public final class QuestionsBack {
                       .collect(Collectors.joining(" "))));
     } else if (doubt instanceof Doubt.OutOfRange range) {
       return outOfRange(range);
+    } else if (doubt instanceof Doubt.Unchanged unchanged) {
+      return facts().sentence(unchanged.so()).orElseGet(() -> grammar.phrase("not-possible"));
     } else if (doubt instanceof Doubt.LeftOut leftOut) {
       return phrases.of(
           "without", Map.of("word", String.join(" ", leftOut.words()), "said", leftOut.rest()));
@@ -212,14 +271,15 @@ public final class QuestionsBack {
   }
 
   private Optional<String> place(PredicateDeclaration predicate, Term.Name thing) {
-    if (!relations.fits(predicate, 0, thing)) {
-      return Optional.empty();
-    }
-    return situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
-        .filter(place -> !place.equals(thing))
-        .filter(place -> holds(predicate.name(), thing, place))
-        .findFirst()
-        .map(naming::of);
+    return places(predicate, thing).findFirst().map(naming::of);
+  }
+
+  private Stream<Term.Name> places(PredicateDeclaration predicate, Term.Name thing) {
+    return relations.fits(predicate, 0, thing)
+        ? situation.facts().individuals(Relations.typeOf(predicate, 1)).stream()
+            .filter(place -> !place.equals(thing))
+            .filter(place -> holds(predicate.name(), thing, place))
+        : Stream.of();
   }
 
   private boolean holds(String predicate, Term thing, Term place) {
@@ -276,7 +336,8 @@ public final class QuestionsBack {
           form.part(0).is("at")
               ? said(form.part(0))
               : said(form.part(0)) + " " + said(form.part(1));
-      case "rel", "from", "here", "there", "either", "everywhere" -> grammar.phrase("there");
+      case "rel", "from", "within", "here", "there", "either", "everywhere" ->
+          grammar.phrase("there");
       case "any" -> "";
       case "it", "them", "him" -> grammar.phrase("it");
       case "beside" -> said(form.part(0)) + " " + said(form.part(1));

@@ -128,6 +128,16 @@ class UnderstandCommandTest {
     assertThat(Printed.by("understand", "if the oven is hot", "--json")).contains("\"began\":[]");
   }
 
+  /** Thirty may be degrees, percent, or minutes. */
+  @Test
+  void aNumberWaitsForItsUnit() {
+    assertThat(Printed.by("understand", "set the bedroom to 30 percent", "--json"))
+        .contains("\"meaning\":null", "\"began\":[]");
+    assertThat(Printed.by("understand", "set the bedroom to 30 degrees", "--json"))
+        .contains("\"after\":\"degrees\"", "\"calledOff\":null")
+        .doesNotContain("\"after\":\"30\"");
+  }
+
   @Test
   void everythingIsSwitchedOffOnlyAfterAYes() throws IOException {
     Path file =
@@ -136,6 +146,24 @@ class UnderstandCommandTest {
 
     assertThat(Printed.by("understand", "--scene", "evening", "--file", file.toString()))
         .contains("(= (level ceiling-living) 0)", "(not (switchedOn stereo))");
+  }
+
+  /** What follows a yes may take it back: of course not. */
+  @Test
+  void whatWasAskedBackIsNotBegunBeforeTheAnswerEnds() throws IOException {
+    Path file =
+        Files.writeString(
+            directory.resolve("said.tsv"),
+            "yes, of course\tDave\tkitchen\tturn on the oven\n"
+                + "of course not\tDave\tkitchen\tturn on the oven");
+
+    List<String> printed =
+        Printed.by("understand", "--scene", "evening", "--json", "--file", file.toString())
+            .lines()
+            .toList();
+
+    assertThat(printed.get(0)).contains("(switchedOn oven)", "\"began\":[]");
+    assertThat(printed.get(1)).contains("All right.", "\"began\":[]");
   }
 
   /** ADE, 4.2: one glass stands on the table and one on the floor. */
