@@ -260,6 +260,53 @@ class RobotTest {
     assertThat(picked.error().orElseThrow().refs().get(0).fact()).isEqualTo("(handFree rose)");
   }
 
+  /** Three-layered architecture, 3.2.1 (M33). */
+  @Test
+  void tellsWhatItsHandDoesNotAllowAsDisabled() {
+    assertThat(disabled()).as("with an empty hand").containsExactly("place");
+
+    call("pick", Map.of("object", homes.at("Cup")));
+    homes.clock.run(Duration.ofSeconds(1));
+    assertThat(disabled()).as("while it carries").containsExactly("pick");
+    assertThat(call("pick", Map.of("object", homes.at("Bob"))).error().orElseThrow().message())
+        .isEqualTo("The hand holds Cup already.");
+
+    call("place", Map.of("object", Homes.ref("Cup"), "target", Homes.ref("zone-b")));
+    homes.clock.run(Duration.ofSeconds(1));
+    assertThat(disabled()).as("with an empty hand again").containsExactly("place");
+  }
+
+  private List<String> disabled() {
+    return homes.link.members().stream()
+        .filter(member -> member.id().equals("rose"))
+        .flatMap(member -> member.state().stream())
+        .findFirst()
+        .orElseThrow()
+        .disabled();
+  }
+
+  /** A call counts on what those before it in the queue bring about. */
+  @Test
+  void placesWhatItWasStillAtPickingUpWhenItWasTold() {
+    List<Outcome> outcomes = new ArrayList<>();
+    call(outcomes, "pick", Map.of("object", homes.at("Cup")));
+    call(outcomes, "place", Map.of("object", Homes.ref("Cup"), "target", Homes.ref("zone-b")));
+
+    homes.clock.runUntil(() -> outcomes.size() == 2, Duration.ofSeconds(90));
+
+    assertThat(outcomes).containsExactly(Outcome.SUCCEEDED, Outcome.SUCCEEDED);
+  }
+
+  private void call(List<Outcome> outcomes, String feature, Map<String, Object> parameters) {
+    homes.link.call(
+        "rose",
+        feature,
+        parameters,
+        Duration.ofSeconds(60),
+        Optional.empty(),
+        result -> outcomes.add(result.outcome()));
+  }
+
   @Test
   void answersFaultyParametersWithoutBreaking() {
     assertThat(call("pick", Map.of("object", 3)).error().orElseThrow().code())

@@ -10,6 +10,8 @@ import java.util.List;
  * @param phase of the member on the bus, {@code absent} when it never came, {@code group} of an
  *     agent that stands for a group; of several members the one that most have
  * @param state the member's current state z
+ * @param disabled the features that its member tells as disabled (M33); of several members each
+ *     with the member's name and a slash before it
  * @param since when phase and state are these, or the agent lives in this container, whichever is
  *     later
  */
@@ -19,8 +21,10 @@ public record AgentRow(
     List<String> members,
     String phase,
     String state,
+    List<String> disabled,
     Instant since) {
   public AgentRow {
     members = List.copyOf(members);
+    disabled = List.copyOf(disabled);
   }
 }

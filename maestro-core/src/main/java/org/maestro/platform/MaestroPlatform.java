@@ -37,6 +37,7 @@ import org.maestro.diary.Diary;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.habits.HabitFile;
 import org.maestro.knowledge.habits.HabitLog;
+import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.persons.HeardVoices;
 import org.maestro.platform.jade.MainContainer;
@@ -119,7 +120,13 @@ public final class MaestroPlatform implements AutoCloseable {
             this::orders);
     this.tables =
         new PlatformTables(
-            agents.deployer().deployment(), main.directory(), clock::instant, agents::refused);
+            agents.deployer().deployment(),
+            main.directory(),
+            clock::instant,
+            agents::refused,
+            member ->
+                Optional.ofNullable(knowledge.home().devices().get(member))
+                    .flatMap(Device::driver));
     this.supervisor =
         new SupervisorAgent(
             time,

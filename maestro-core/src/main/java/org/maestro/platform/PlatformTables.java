@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.maestro.agents.content.StartWords;
@@ -22,6 +23,7 @@ import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
 import org.maestro.deployment.Directory;
 import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.protocol.MemberState;
 import org.maestro.sl.Content;
 
 /**
@@ -34,34 +36,39 @@ final class PlatformTables {
   private final Directory directory;
   private final Supplier<Instant> now;
   private final Supplier<SortedMap<String, Arrivals.Refusal>> refused;
+  private final Function<String, Optional<String>> driverOf;
   private final Map<String, Seen> seen = new ConcurrentHashMap<>();
 
-  /** The state last heard of a member, and when that began. */
-  private record Seen(String phase, String state, Instant since) {}
+  /** The state last heard of a member, and when its phase and z began to be these. */
+  private record Seen(String phase, String state, List<String> disabled, Instant since) {}
 
   /**
    * @param refused members that cannot be used as they describe themselves
+   * @param driverOf the kind of driver that runs a member's hardware, as it describes itself
    */
   PlatformTables(
       Deployment deployment,
       Directory directory,
       Supplier<Instant> now,
-      Supplier<SortedMap<String, Arrivals.Refusal>> refused) {
+      Supplier<SortedMap<String, Arrivals.Refusal>> refused,
+      Function<String, Optional<String>> driverOf) {
     this.deployment = deployment;
     this.directory = directory;
     this.now = now;
     this.refused = refused;
+    this.driverOf = driverOf;
   }
 
   void memberChanged(RatsLink.Member member) {
     String phase = member.phase().name().toLowerCase(Locale.ROOT);
-    String state = member.state().map(s -> s.state()).orElse("-");
+    String state = member.state().map(MemberState::state).orElse("-");
+    List<String> disabled = member.state().map(MemberState::disabled).orElse(List.of());
     seen.compute(
         member.id(),
         (id, before) ->
             before != null && before.phase().equals(phase) && before.state().equals(state)
-                ? before
-                : new Seen(phase, state, now.get()));
+                ? new Seen(phase, state, disabled, before.since())
+                : new Seen(phase, state, disabled, now.get()));
   }
 
   /**
@@ -81,10 +88,12 @@ final class PlatformTables {
     Optional<AgentStart> start = deployment.find(agent);
     List<String> members = start.map(AgentStart::members).orElse(List.of());
     if (start.isEmpty()) {
-      return new AgentRow(agent, container, members, "group", "-", lives);
+      return new AgentRow(agent, container, members, "group", "-", List.of(), lives);
     }
     List<Seen> known =
-        members.stream().map(m -> seen.getOrDefault(m, new Seen("absent", "-", lives))).toList();
+        members.stream()
+            .map(m -> seen.getOrDefault(m, new Seen("absent", "-", List.of(), lives)))
+            .toList();
     Instant since = known.stream().map(Seen::since).max(Comparator.naturalOrder()).orElse(lives);
     return new AgentRow(
         agent,
@@ -92,7 +101,18 @@ final class PlatformTables {
         members,
         most(known.stream().map(Seen::phase).toList()),
         most(known.stream().map(Seen::state).toList()),
+        disabled(members),
         since.isAfter(lives) ? since : lives);
+  }
+
+  private List<String> disabled(List<String> members) {
+    return members.stream()
+        .flatMap(
+            member ->
+                Optional.ofNullable(seen.get(member)).map(Seen::disabled).stream()
+                    .flatMap(List::stream)
+                    .map(feature -> members.size() == 1 ? feature : member + "/" + feature))
+        .toList();
   }
 
   private static String most(Collection<String> words) {
@@ -122,7 +142,14 @@ final class PlatformTables {
         .filter(entry -> !rowByAgent.containsKey(entry.agent()))
         .map(
             entry ->
-                new AgentRow(entry.agent(), entry.container(), List.of(), "-", "-", entry.since()))
+                new AgentRow(
+                    entry.agent(),
+                    entry.container(),
+                    List.of(),
+                    "-",
+                    "-",
+                    List.of(),
+                    entry.since()))
         .forEach(row -> lines.add(line(row, services, Optional.empty())));
     unused.forEach((member, refusal) -> lines.add(line(member, refusal)));
     directory.containers().forEach(place -> lines.add(line(place)));
@@ -156,8 +183,12 @@ final class PlatformTables {
         Words.named("agent", Words.text(row.agent())),
         Words.named("container", Words.text(row.container())),
         Words.named("members", row.members().stream().map(Words::text).toList()),
+        Words.named(
+            "drivers",
+            row.members().stream().map(m -> Words.text(driverOf.apply(m).orElse(""))).toList()),
         Words.named("phase", Words.text(refusal.isPresent() ? "refused" : row.phase())),
         Words.named("state", Words.text(row.state())),
+        Words.named("disabled", row.disabled().stream().map(Words::text).toList()),
         Words.named(
             "life",
             Words.text(directory.find(row.agent()).map(Directory.Entry::state).orElse("gone"))),

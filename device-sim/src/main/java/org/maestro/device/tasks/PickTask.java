@@ -70,6 +70,11 @@ final class PickTask extends ArmTask {
   }
 
   @Override
+  public boolean isPossibleNow() {
+    return arm().held().isEmpty();
+  }
+
+  @Override
   Estimate cost(CallParameters parameters) {
     Pointer object = parameters.pointer("object");
     return context()

@@ -134,6 +134,11 @@ final class PlaceTask extends ArmTask {
   }
 
   @Override
+  public boolean isPossibleNow() {
+    return arm().held().isPresent();
+  }
+
+  @Override
   Estimate cost(CallParameters parameters) {
     Pointer target = parameters.pointer("target");
     return ways(target)

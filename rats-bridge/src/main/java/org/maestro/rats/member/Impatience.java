@@ -217,7 +217,7 @@ final class Impatience {
     MemberProfile.Feature feature = takenOver(call);
     boolean able =
         call.parameters().keySet().containsAll(feature.required())
-            && condition.whyDisabled(feature.id()).isEmpty()
+            && !condition.isDisabled(feature.id())
             && tasks.couldBegin(feature);
     return able ? cost(feature, call.parameters()) : Optional.empty();
   }

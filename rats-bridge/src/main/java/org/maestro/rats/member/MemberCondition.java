@@ -111,8 +111,17 @@ final class MemberCondition {
     disabled.remove(feature);
   }
 
+  /** Why a call of it is refused as soon as it comes. */
   Optional<String> whyDisabled(String feature) {
     return Optional.ofNullable(disabled.get(feature)).or(() -> whyNotFromHere(feature));
+  }
+
+  /** Whether it could not begin now, be it that its own routine says so. */
+  boolean isDisabled(String feature) {
+    return whyDisabled(feature).isPresent()
+        || Optional.ofNullable(profile.features().get(feature))
+            .filter(known -> !known.procedure().isPossibleNow())
+            .isPresent();
   }
 
   private Optional<String> whyNotFromHere(String feature) {
@@ -129,10 +138,7 @@ final class MemberCondition {
         List.copyOf(values.current()),
         running.stream().map(task -> task.call().id()).toList(),
         waiting.stream().map(task -> task.call().id()).toList(),
-        profile.features().keySet().stream()
-            .filter(feature -> whyDisabled(feature).isPresent())
-            .sorted()
-            .toList(),
+        profile.features().keySet().stream().filter(this::isDisabled).sorted().toList(),
         List.copyOf(recent));
   }
 }

@@ -36,4 +36,14 @@ public interface Procedure {
   default Optional<CostAnswer> costIfAble(Map<String, Object> parameters) {
     return Optional.of(cost(parameters)).filter(answer -> answer.cost().isPresent());
   }
+
+  /**
+   * Whether it could begin as the member is now, whatever the parameters (Three-layered
+   * architecture, 3.2.1; M33). While it could not, the member tells the feature as disabled. A call
+   * that comes meanwhile still has its turn, since one before it in the queue may change that; when
+   * nothing has, the routine fails it with what is missing.
+   */
+  default boolean isPossibleNow() {
+    return true;
+  }
 }

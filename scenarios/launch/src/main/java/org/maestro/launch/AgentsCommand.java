@@ -2,6 +2,7 @@ package org.maestro.launch;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.maestro.console.questions.Questions;
@@ -18,7 +19,19 @@ import picocli.CommandLine.Spec;
     description = "List the agents of a running platform, and their members; or its containers.")
 final class AgentsCommand implements Callable<Integer> {
   private static final List<String> AGENTS =
-      List.of("agent", "container", "members", "phase", "state", "life", "since", "services");
+      List.of(
+          "agent",
+          "container",
+          "members",
+          "phase",
+          "state",
+          "disabled",
+          "life",
+          "since",
+          "services");
+  private static final List<String> LAYERS =
+      List.of(
+          "control: agent", "container", "domain: member", "phase", "state", "hardware: driver");
   private static final List<String> CONTAINERS =
       List.of(
           "container", "process", "topics", "provides", "since", "address", "machine", "agents");
@@ -34,6 +47,13 @@ final class AgentsCommand implements Callable<Integer> {
       description = "The container table, with the agents of each container.")
   private boolean containers;
 
+  @Option(
+      names = "--layers",
+      description =
+          "The three layers of each agent: itself, the members that it stands for, and the drivers"
+              + " of their hardware.")
+  private boolean layers;
+
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
@@ -47,6 +67,8 @@ final class AgentsCommand implements Callable<Integer> {
       } else if (containers) {
         new Table(CONTAINERS, JsonRows.of(document.path("containers"), AgentsCommand::container))
             .print(out);
+      } else if (layers) {
+        new Table(LAYERS, layers(document)).print(out);
       } else {
         new Table(AGENTS, JsonRows.of(document.path("agents"), AgentsCommand::agent)).print(out);
         document.path("agents").forEach(agent -> printWhy(agent, out));
@@ -78,9 +100,32 @@ final class AgentsCommand implements Callable<Integer> {
         JsonRows.words(agent, "members"),
         JsonRows.text(agent, "phase"),
         JsonRows.text(agent, "state"),
+        JsonRows.words(agent, "disabled"),
         JsonRows.text(agent, "life"),
         since(agent),
         JsonRows.words(agent, "services"));
+  }
+
+  /** A row for each member that an agent stands for (Three-layered architecture, 3; M1). */
+  static List<List<String>> layers(JsonNode document) {
+    List<List<String>> rows = new ArrayList<>();
+    document
+        .path("agents")
+        .forEach(
+            agent -> {
+              for (int member = 0; member < agent.path("members").size(); member++) {
+                String driver = agent.path("drivers").path(member).asText();
+                rows.add(
+                    List.of(
+                        JsonRows.text(agent, "agent"),
+                        JsonRows.text(agent, "container"),
+                        agent.path("members").path(member).asText(),
+                        JsonRows.text(agent, "phase"),
+                        JsonRows.text(agent, "state"),
+                        driver.isEmpty() ? "-" : driver));
+              }
+            });
+    return rows;
   }
 
   private static List<String> container(JsonNode container) {

@@ -66,6 +66,8 @@ class JsonOfPlatformTest {
       JsonNode agents = document("agents", 0, "agents").path("agents");
       assertThat(agents.findValuesAsText("agent")).contains("rose", "CCA");
       assertThat(agents.at("/0/age_s").isNumber()).isTrue();
+      assertThat(words(agents, "rose", "disabled")).containsExactly("place");
+      assertThat(words(agents, "rose", "drivers")).containsExactly("mobile-robot");
       assertThat(
               document("agents-containers", 0, "agents", "--containers")
                   .path("containers")
@@ -82,7 +84,24 @@ class JsonOfPlatformTest {
           .anyMatch(text -> text.startsWith("Somebody asks me to "));
       assertThat(document("words", 0, "words").path("words").findValuesAsText("unit"))
           .contains("lux");
+
+      // Nobody else can confirm it: no camera sees what is in a hand.
+      document("goal", 4, "goal", "(in Cup rose)");
+      assertThat(words(document("agents", 0, "agents").path("agents"), "rose", "disabled"))
+          .as("of a robot that carries something (M33)")
+          .containsExactly("pick");
     }
+  }
+
+  private static List<String> words(JsonNode agents, String agent, String name) {
+    List<String> words = new ArrayList<>();
+    agents.forEach(
+        row -> {
+          if (row.path("agent").asText().equals(agent)) {
+            row.path(name).forEach(word -> words.add(word.asText()));
+          }
+        });
+    return words;
   }
 
   @Test

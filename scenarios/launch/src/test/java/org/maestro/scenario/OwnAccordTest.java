@@ -23,6 +23,7 @@ import org.maestro.junit.Stage;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.AgentRow;
+import org.maestro.platform.jade.SentMessage;
 import org.maestro.sim.scene.SceneLoader;
 
 /** Agents with goals of their own, held goals, and the death of the central agent. */
@@ -60,6 +61,37 @@ class OwnAccordTest {
 
       assertThat(story).extracting(StoryEntry::goalId).containsOnly("keeper-1");
       assertThat(stage.world().lampLevel("lamp-a1")).isEqualTo(1);
+    }
+  }
+
+  /**
+   * A stored value is enough: the lamps' group acts on what the sensor has stored, and nobody but
+   * the store is sent it (Three-layered architecture, 2; M15).
+   */
+  @Test
+  void aStoredLuxValueHasTheLampsLitAndIsToldToNobodyByAMessage() {
+    try (Stage stage = stage("silent", KEEPER)) {
+      stage.platform().endAgent(CENTRE);
+      stage.await("the room is lit", () -> stage.world().lux("zone-b") >= 72);
+      stage.run(Duration.ofSeconds(5));
+      double before = stage.world().lampLevel("lamp-b1") + stage.world().lampLevel("lamp-b2");
+      List<SentMessage> mail = new CopyOnWriteArrayList<>();
+      Runnable end = stage.platform().onMail(mail::add);
+
+      stage.world().setAmbient("zone-b", 60);
+      stage.await(
+          "the lamps are dimmed",
+          () -> stage.world().lampLevel("lamp-b1") + stage.world().lampLevel("lamp-b2") < before);
+      end.run();
+
+      List<SentMessage> beforeItActed =
+          mail.stream().takeWhile(message -> !message.sender().startsWith("keeper@")).toList();
+      assertThat(beforeItActed)
+          .as("the sensor has its value stored, and nobody else is told anything")
+          .isNotEmpty()
+          .allMatch(message -> message.sender().startsWith("lux-"))
+          .allMatch(message -> message.receiver().startsWith("knowledge@"))
+          .anyMatch(message -> message.sender().startsWith("lux-b@"));
     }
   }
 

@@ -8,21 +8,28 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.launch.JavaProcess;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.platform.jade.Premises;
+import org.maestro.platform.jade.SentMessage;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
+import org.maestro.sl.SlParser;
+import org.maestro.sl.SlPrinter;
 
 /**
  * The message that the paper prints in section 3.3.3, from an agent of another container that knows
@@ -36,7 +43,7 @@ class PapersMessageTest {
   private static final String AS_PRINTED =
       """
       (request
-        :sender (agent-identifier :name Guest@GAC)
+        :sender (agent-identifier :name Rose@RAC)
         :receiver (set (agent-identifier :name %s))
         :ontology WorldModel
         :language MAESTRO-SL
@@ -50,6 +57,7 @@ class PapersMessageTest {
 
   private static LocalSite site;
   private static PlainAgent.Guest guest;
+  private static final List<SentMessage> asked = new CopyOnWriteArrayList<>();
 
   @BeforeAll
   static void startSite() throws Exception {
@@ -59,7 +67,15 @@ class PapersMessageTest {
             "arena-dark.ttl",
             PapersMessageTest.class.getResourceAsStream("/scenes/arena-dark.ttl"),
             home);
-    site = LocalSite.paced(SiteSettings.of("MC", home).scene(scene).build(), 20);
+    Premises.LetterBox letters = new Premises.LetterBox("127.0.0.1", 0);
+    site =
+        LocalSite.paced(
+            SiteSettings.of("MC", home)
+                .scene(scene)
+                .premises(Premises.usual().with(Optional.of(letters)))
+                .build(),
+            20);
+    site.platform().onMail(asked::add);
     guest = PlainAgent.join(Optional.of("MC"), site.platform().port(), "GAC", "Guest");
   }
 
@@ -88,6 +104,58 @@ class PapersMessageTest {
     guest.agent().say(PlainAgent.written(AS_PRINTED.formatted("CCA@MC", GOAL)));
 
     assertAnswered();
+  }
+
+  /** Names, all parts and the content are those of the paper, before it is sent and after. */
+  @Test
+  void exactlyThePrintedMessageComesFromRoseAndGoesRoundUnchanged(@TempDir Path files)
+      throws Exception {
+    ACLMessage printed = PlainAgent.written(AS_PRINTED.formatted("CCA@MC", GOAL));
+    ACLMessage again = PlainAgent.written(printed.toString());
+
+    assertThat(parts(again))
+        .isEqualTo(parts(printed))
+        .containsExactly(
+            "REQUEST",
+            "Rose@RAC",
+            "CCA@MC",
+            "WorldModel",
+            "MAESTRO-SL",
+            "fipa-request",
+            "(initCNP (:goal (canSee ?agent GreenObject)))");
+    assertThat(SlPrinter.print(SlParser.content(GOAL, name -> false).get(0))).isEqualTo(GOAL);
+
+    PlainAgent.Guest rose = PlainAgent.platform("RAC", "Rose", files);
+    try {
+      // Where the other platform is stands beside its agent's name, as the paper leaves it out.
+      ((AID) printed.getAllReceiver().next())
+          .addAddresses(site.platform().premises().letters().orElseThrow().url());
+      rose.agent().send(printed);
+
+      assertAnswered(rose);
+    } finally {
+      rose.close();
+    }
+    assertThat(asked)
+        .anySatisfy(
+            message -> {
+              assertThat(message.sender()).isEqualTo("Rose@RAC");
+              assertThat(message.receiver()).isEqualTo("CCA@MC");
+              assertThat(message.performative()).isEqualTo("request");
+              assertThat(message.protocol()).contains("fipa-request");
+              assertThat(message.content()).isEqualTo(GOAL);
+            });
+  }
+
+  private static List<String> parts(ACLMessage message) {
+    return List.of(
+        ACLMessage.getPerformative(message.getPerformative()),
+        message.getSender().getName(),
+        ((AID) message.getAllReceiver().next()).getName(),
+        message.getOntology(),
+        message.getLanguage(),
+        message.getProtocol(),
+        message.getContent());
   }
 
   @Test
@@ -151,7 +219,7 @@ class PapersMessageTest {
 
   @Test
   void aGoalThatIsNotRequestedIsNotUnderstood() throws Exception {
-    ACLMessage rejection = request(new AID("CCA", AID.ISLOCALNAME), GOAL);
+    ACLMessage rejection = request(new AID("CCA@MC", AID.ISGUID), GOAL);
     rejection.setPerformative(ACLMessage.REJECT_PROPOSAL);
     guest.agent().say(rejection);
 
@@ -161,6 +229,10 @@ class PapersMessageTest {
   }
 
   private void assertAnswered() throws InterruptedException {
+    assertAnswered(guest);
+  }
+
+  private void assertAnswered(PlainAgent.Guest guest) throws InterruptedException {
     ACLMessage agree = guest.agent().heard();
     assertThat(agree.getPerformative()).as(agree.toString()).isEqualTo(ACLMessage.AGREE);
     assertThat(agree.getProtocol()).isEqualTo("fipa-request");

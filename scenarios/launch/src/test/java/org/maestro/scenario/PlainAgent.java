@@ -22,13 +22,19 @@ import jade.lang.acl.StringACLCodec;
 import jade.util.leap.Properties;
 import jade.wrapper.AgentContainer;
 import jade.wrapper.StaleProxyException;
+import java.io.File;
+import java.io.IOException;
 import java.io.StringReader;
 import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.maestro.platform.letters.EnvelopeReader;
 
 /**
  * An agent of JADE alone, in a container of its own that has none of MAESTRO's services: what a
@@ -69,6 +75,35 @@ public final class PlainAgent extends Agent {
     PlainAgent agent = new PlainAgent();
     joined.acceptNewAgent(name, agent).start();
     return new Guest(joined, agent);
+  }
+
+  /**
+   * A platform of its own with this agent, which hears and writes to other platforms by HTTP.
+   *
+   * @param files where JADE writes down what the platform is
+   */
+  static Guest platform(String name, String agentName, Path files)
+      throws IOException, StaleProxyException {
+    Properties properties = new Properties();
+    properties.setProperty(Profile.MAIN, "true");
+    properties.setProperty(Profile.PLATFORM_ID, name);
+    properties.setProperty(Profile.LOCAL_HOST, "127.0.0.1");
+    properties.setProperty(Profile.LOCAL_PORT, String.valueOf(freePort()));
+    properties.setProperty(
+        Profile.MTPS,
+        "jade.mtp.http.MessageTransportProtocol(http://127.0.0.1:%d/acc)".formatted(freePort()));
+    properties.setProperty(Profile.FILE_DIR, files + File.separator);
+    properties.setProperty("jade_mtp_http_parser", EnvelopeReader.class.getName());
+    AgentContainer main = Runtime.instance().createMainContainer(new ProfileImpl(properties));
+    PlainAgent agent = new PlainAgent();
+    main.acceptNewAgent(agentName, agent).start();
+    return new Guest(main, agent);
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
   }
 
   /** What a person types: FIPA's string form of a message. */
