@@ -157,7 +157,7 @@ public final class Api {
                 Method.POST,
                 "/agents",
                 "addAgents",
-                "Starts an agent for each device that a description has, or one for all of them.",
+                "Starts an agent for each device that a description has, or one for all of them, and the agents of rooms.",
                 "told",
                 this::add)
             .by(Role.ADMINISTRATOR)
