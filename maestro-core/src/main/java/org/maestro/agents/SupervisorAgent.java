@@ -19,6 +19,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.supervision.AgentChanges;
 import org.maestro.agents.supervision.Containers;
 import org.maestro.agents.supervision.Handover;
+import org.maestro.agents.supervision.Newcomer;
 import org.maestro.agents.supervision.RequestEnds;
 import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.agents.supervision.TablesTold;
@@ -40,7 +41,7 @@ import org.slf4j.LoggerFactory;
  * (perform (:action add) (:description "...") (:container lights))   and (:as NAME), (:needs a b)
  * (perform (:action move) (:agent lamp-9) (:to kitchen))
  * (perform (:action reconfigure) (:agent lamp-9) (:description "..."))
- * (perform (:action remove) (:agent lamp-9))
+ * (perform (:action remove) (:agent lamp-9))                         also the agent of a room
  * (query-ref)                                                        the tables
  * </pre>
  */
@@ -113,8 +114,8 @@ public final class SupervisorAgent extends MaestroAgent {
       case "remove" ->
           beside(
               message,
-              () -> containers.remove(words.string("agent").orElse("")),
-              gone -> ends.done(message, "The agent " + gone.agent() + " is removed."));
+              () -> removed(words.string("agent").orElse("")),
+              gone -> ends.done(message, "The agent " + gone + " is removed."));
       case "stop" -> stop(message, words.string("member"));
       case "revive" ->
           beside(message, containers::reviveCoordinator, revived -> revived(message, revived));
@@ -253,20 +254,17 @@ public final class SupervisorAgent extends MaestroAgent {
                 started.stream().map(SupervisorAgent::added).toArray(Content[]::new)));
   }
 
-  private static Content added(AgentStart start) {
-    String members =
-        start.members().equals(List.of(start.agent()))
-            ? ""
-            : ", and stands for " + String.join(", ", start.members());
+  private String removed(String agent) {
+    containers.remove(agent);
+    return agent;
+  }
+
+  private static Content added(Newcomer newcomer) {
     return Words.content(
         "inform",
-        Words.named("agent", Words.name(start.agent())),
-        Words.named("container", Words.name(start.container())),
-        Words.named(
-            "text",
-            Words.text(
-                "The agent %s lives in %s%s."
-                    .formatted(start.agent(), start.container(), members))));
+        Words.named("agent", Words.name(newcomer.agent())),
+        Words.named("container", Words.name(newcomer.container())),
+        Words.named("text", Words.text(newcomer.sentence())));
   }
 
   private void revived(ACLMessage message, boolean revived) {

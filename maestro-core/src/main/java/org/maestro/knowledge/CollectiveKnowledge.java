@@ -55,6 +55,7 @@ import org.maestro.knowledge.rdf.GraphStorage;
 import org.maestro.knowledge.rdf.GraphStorageFactory;
 import org.maestro.knowledge.rdf.Graphs;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
@@ -203,6 +204,28 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           World before = world;
           world = devices.described(before, device);
           return tellOf(device.id(), before);
+        });
+  }
+
+  @Override
+  public void admit(Group group) {
+    guarded(
+        () -> {
+          World before = world;
+          world = devices.changed(before, before.home().with(group));
+          devices.store(new Graphs(world.home()), group);
+          return tellOf(group.id(), before);
+        });
+  }
+
+  @Override
+  public void dismiss(String group) {
+    guarded(
+        () -> {
+          World before = world;
+          world = devices.changed(before, before.home().withoutGroup(group));
+          devices.remove(new Graphs(world.home()), group);
+          return tellOf(group, before);
         });
   }
 

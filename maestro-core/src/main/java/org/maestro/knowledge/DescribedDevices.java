@@ -14,6 +14,7 @@ import org.maestro.knowledge.belief.World;
 import org.maestro.knowledge.rdf.GraphStorage;
 import org.maestro.knowledge.rdf.Graphs;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Fact;
 
@@ -102,6 +103,21 @@ final class DescribedDevices {
     }
     store(graphs, device);
     return base.with(changed, measured, base.version() + 1);
+  }
+
+  /** The world of a home in which another agent of a group is there, or one less. */
+  World changed(World base, Home home) {
+    return base.with(home, measures.apply(home), base.version() + 1);
+  }
+
+  /** Keeps what is said of the agent of a group. */
+  void store(Graphs graphs, Group group) {
+    storage.replace(graphs.memberGraph(group.id()), graphs.individual(group.individual()));
+  }
+
+  /** Keeps nothing any more of what was said of an agent. */
+  void remove(Graphs graphs, String agent) {
+    storage.replace(graphs.memberGraph(agent), List.of());
   }
 
   /** What cannot be measured is refused before anything of it is kept. */

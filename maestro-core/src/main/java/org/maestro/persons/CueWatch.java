@@ -58,7 +58,8 @@ final class CueWatch {
     return news;
   }
 
-  private Optional<Belief> told(CueSite site, Snapshot now) {
+  /** What was told of it last, by others than the tracker. */
+  Optional<Belief> told(CueSite site, Snapshot now) {
     String fact = SlPrinter.print(site.fact());
     String denial = denial(fact);
     return now.claims(site.fact()).stream()

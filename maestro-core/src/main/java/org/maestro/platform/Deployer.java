@@ -134,6 +134,11 @@ final class Deployer {
     containerByGroup.put(group, topic);
   }
 
+  synchronized void removeGroup(String group) {
+    containerByGroup.remove(group);
+    jade.kill(group);
+  }
+
   private void begin(AgentStart start) {
     if (isElsewhere(start.container())) {
       elsewhere.add(start.agent());

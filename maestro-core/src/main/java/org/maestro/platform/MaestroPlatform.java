@@ -66,6 +66,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final CentralAgent central;
   private final DeskAgent desk;
   private final MemberAgents agents;
+  private final GroupAgents groups;
   private final PlatformTables tables;
   private final SupervisorAgent supervisor;
   private final Optional<TrackerInService> tracker;
@@ -118,6 +119,12 @@ public final class MaestroPlatform implements AutoCloseable {
             past.recovery(),
             this::presentMembers,
             this::orders);
+    this.groups =
+        new GroupAgents(
+            knowledge,
+            lives,
+            agents,
+            group -> new GroupAgent(time, mind, group, stories, past, dialogues));
     this.tables =
         new PlatformTables(
             agents.deployer().deployment(),
@@ -136,7 +143,8 @@ public final class MaestroPlatform implements AutoCloseable {
                 agents,
                 tables,
                 services.describedBy(),
-                () -> knowledge.home().words(),
+                knowledge::home,
+                groups,
                 this::reviveCoordinator));
     this.tracker =
         knowledge
@@ -201,11 +209,7 @@ public final class MaestroPlatform implements AutoCloseable {
     desk.whenSaid(dialogues.asked()::hear);
     desk.whenAnswered(answer -> dialogues.asked().answered(answer.part()));
     agents.begin();
-    for (Group group : knowledge.home().groups().values()) {
-      GroupAgent agent = new GroupAgent(time, mind, group, stories, past, dialogues);
-      lives.listen(agent);
-      agents.begin(group, agent);
-    }
+    groups.beginAll();
     tracker.ifPresent(
         one -> {
           lives.listen(one);

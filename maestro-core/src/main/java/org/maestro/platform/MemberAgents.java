@@ -113,7 +113,17 @@ final class MemberAgents {
   }
 
   void begin(Group group, MaestroAgent agent) {
-    deployer.placeGroup(group.id(), group.container().orElse(GROUPS), agent);
+    deployer.placeGroup(group.id(), container(group), agent);
+  }
+
+  /** Where the agent of a group lives. */
+  static String container(Group group) {
+    return group.container().orElse(GROUPS);
+  }
+
+  /** The agent of a group ends for good. */
+  void end(String group) {
+    deployer.removeGroup(group);
   }
 
   /**

@@ -8,10 +8,12 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.maestro.agents.content.Addition;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.supervision.Containers;
 import org.maestro.agents.supervision.Handover;
+import org.maestro.agents.supervision.Newcomer;
 import org.maestro.agents.supervision.Welcome;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
@@ -19,6 +21,9 @@ import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.DeploymentException;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.DeviceFile;
+import org.maestro.ontology.home.Group;
+import org.maestro.ontology.home.GroupFile;
+import org.maestro.ontology.home.Home;
 import org.maestro.sl.Content;
 
 /** The operations of the supervisor on this platform. */
@@ -29,12 +34,14 @@ final class Supervision implements Containers {
   private final Deployer deployer;
   private final PlatformTables tables;
   private final DeviceFile devices;
-  private final Supplier<String> words;
+  private final Supplier<Home> home;
+  private final GroupAgents rooms;
   private final MemberAgents agents;
   private final BooleanSupplier reviving;
 
   /**
-   * @param words of the home, which containers that join have to know
+   * @param home as it is now, whose words containers that join have to know
+   * @param rooms the agents of rooms and other groups
    * @param reviving begins the central agent again; false when it is there
    */
   Supervision(
@@ -42,14 +49,16 @@ final class Supervision implements Containers {
       MemberAgents agents,
       PlatformTables tables,
       BiFunction<String, String, Device> describedBy,
-      Supplier<String> words,
+      Supplier<Home> home,
+      GroupAgents rooms,
       BooleanSupplier reviving) {
     this.settings = settings;
     this.agents = agents;
     this.deployer = agents.deployer();
     this.tables = tables;
     this.devices = new DeviceFile(describedBy);
-    this.words = words;
+    this.home = home;
+    this.rooms = rooms;
     this.reviving = reviving;
   }
 
@@ -72,7 +81,7 @@ final class Supervision implements Containers {
   }
 
   private Handover handover(String broker) {
-    return new Handover(broker, settings.site(), words.get());
+    return new Handover(broker, settings.site(), home.get().words());
   }
 
   @Override
@@ -81,15 +90,46 @@ final class Supervision implements Containers {
   }
 
   @Override
-  public List<AgentStart> add(Addition addition) {
-    List<DeviceFile.Described> described = devices.read(addition.description(), addition.source());
+  public List<Newcomer> add(Addition addition) {
+    GroupFile.Parts parts =
+        new GroupFile(home.get()).read(addition.description(), addition.source());
+    List<AgentStart> starts =
+        parts.devices().isBlank() ? List.of() : starts(parts.devices(), addition);
+    deployer.add(starts);
+    parts.groups().forEach(rooms::begin);
+    return Stream.concat(
+            starts.stream().map(Supervision::newcomer),
+            parts.groups().stream().map(Supervision::newcomer))
+        .toList();
+  }
+
+  private static Newcomer newcomer(AgentStart start) {
+    return new Newcomer(
+        start.agent(),
+        start.container(),
+        start.members().equals(List.of(start.agent()))
+            ? ""
+            : ", and stands for " + String.join(", ", start.members()));
+  }
+
+  private static Newcomer newcomer(Group group) {
+    return new Newcomer(
+        group.id(),
+        MemberAgents.container(group),
+        group
+            .hearing()
+            .map(hearing -> ", and hears what is said in " + String.join(", ", hearing.rooms()))
+            .orElse(", and stands for a group"));
+  }
+
+  private List<AgentStart> starts(String text, Addition addition) {
+    List<DeviceFile.Described> described = devices.read(text, addition.source());
     List<AgentStart> starts = new ArrayList<>();
     if (addition.as().isPresent()) {
       starts.add(start(addition.as().get(), described, addition));
     } else {
       described.forEach(one -> starts.add(start(one.id(), List.of(one), addition)));
     }
-    deployer.add(starts);
     return starts;
   }
 
@@ -150,8 +190,10 @@ final class Supervision implements Containers {
   }
 
   @Override
-  public AgentStart remove(String agent) {
-    return deployer.remove(agent);
+  public void remove(String agent) {
+    if (!rooms.end(agent)) {
+      deployer.remove(agent);
+    }
   }
 
   @Override

@@ -19,6 +19,11 @@ public final class AgentLives {
     listeners.add(listener);
   }
 
+  /** Is told nothing any more. */
+  public void leave(AgentLifeListener listener) {
+    listeners.remove(listener);
+  }
+
   /**
    * Tells all listeners.
    *

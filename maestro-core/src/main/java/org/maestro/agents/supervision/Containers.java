@@ -26,8 +26,8 @@ public interface Containers {
   /** Waits for JADE: the container is there; returns the agents that begin or are to move there. */
   Welcome welcome(ContainerStart container);
 
-  /** Waits for JADE; returns who was started. */
-  List<AgentStart> add(Addition addition);
+  /** Waits for JADE; returns who was started: all, or none. */
+  List<Newcomer> add(Addition addition);
 
   /** An agent has been started by other means. */
   void startedByHand(AgentStart start);
@@ -47,7 +47,7 @@ public interface Containers {
   void configured(AgentStart start);
 
   /** Waits for JADE. */
-  AgentStart remove(String agent);
+  void remove(String agent);
 
   /** Waits for JADE: starts the central agent again; returns false when it is there. */
   boolean reviveCoordinator();

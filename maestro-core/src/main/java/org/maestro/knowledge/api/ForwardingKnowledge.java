@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 
 /**
@@ -22,6 +23,16 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   @Override
   public Home home() {
     return knowledge.home();
+  }
+
+  @Override
+  public void admit(Group group) {
+    knowledge.admit(group);
+  }
+
+  @Override
+  public void dismiss(String group) {
+    knowledge.dismiss(group);
   }
 
   @Override

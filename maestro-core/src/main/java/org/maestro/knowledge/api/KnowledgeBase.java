@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 
 /** The store. Thread-safe; writes are atomic, each yields at most one change. */
@@ -16,6 +17,12 @@ public interface KnowledgeBase extends AutoCloseable {
 
   /** A device joined or sent a new description; it speaks only of itself. */
   void describe(Device device);
+
+  /** The agent of a room, or of another group, is there from now on. */
+  void admit(Group group);
+
+  /** That agent of a group is there no more. */
+  void dismiss(String group);
 
   /**
    * Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open

@@ -205,6 +205,41 @@ public record Home(
         tracking);
   }
 
+  /** The same home with this agent of a room, or of another group. */
+  public Home with(Group group) {
+    Map<String, Individual> things = new TreeMap<>(individuals);
+    things.put(group.id(), group.individual());
+    Map<String, Group> joined = new TreeMap<>(groups);
+    joined.put(group.id(), group);
+    return withGroups(things, joined);
+  }
+
+  /** The same home without that agent of a group. */
+  public Home withoutGroup(String group) {
+    Map<String, Individual> things = new TreeMap<>(individuals);
+    things.remove(group);
+    Map<String, Group> left = new TreeMap<>(groups);
+    left.remove(group);
+    return withGroups(things, left);
+  }
+
+  private Home withGroups(Map<String, Individual> things, Map<String, Group> others) {
+    return new Home(
+        iri,
+        label,
+        vocabulary,
+        things,
+        devices,
+        others,
+        scripts,
+        rules,
+        timeZone,
+        wording,
+        words,
+        file,
+        tracking);
+  }
+
   /**
    * Why the device cannot join with what its description brings: a word or a thing of that name is
    * there already, and is another one.

@@ -67,11 +67,14 @@ final class AgentCommand implements Runnable {
 
   @Command(
       name = "add",
-      description = "Start an agent for each device that a file describes, or one for all of them.")
+      description = {
+        "Start an agent for each device that a file describes, or one for all of them;",
+        "and the agents of rooms and other groups that it describes."
+      })
   static final class Add extends Request {
     @Parameters(
         paramLabel = "DEVICE.ttl",
-        description = "Describes one device or several, as a home file does.")
+        description = "Describes devices, or a room's agent and its devices, as a home file does.")
     private Path file;
 
     @Option(

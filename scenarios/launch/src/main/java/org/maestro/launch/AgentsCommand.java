@@ -5,6 +5,9 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.maestro.console.questions.Questions;
 import org.maestro.text.VisibleText;
 import picocli.CommandLine.Command;
@@ -13,10 +16,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Shows what a platform's tables hold: its agents, or its containers. */
+/** Shows what a platform's tables hold: its agents, or its containers; or draws the agents. */
 @Command(
     name = "agents",
-    description = "List the agents of a running platform, and their members; or its containers.")
+    description =
+        "List the agents of a running platform, and their members; or its containers; or draw which agent turns to which.")
 final class AgentsCommand implements Callable<Integer> {
   private static final List<String> AGENTS =
       List.of(
@@ -54,16 +58,28 @@ final class AgentsCommand implements Callable<Integer> {
               + " of their hardware.")
   private boolean layers;
 
+  @Option(
+      names = "--diagram",
+      description =
+          "A diagram of the running agents, in the notation of Mermaid: what each is for, and which turns to which.")
+  private boolean diagram;
+
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
   @Override
   public Integer call() {
+    if (Stream.of(containers, layers, diagram).filter(asked -> asked).count() > 1) {
+      throw CommandException.badInput(
+          "--containers, --layers and --diagram each show something else; give one of them.");
+    }
     try (AskedPlatform asked = platform.ask()) {
-      JsonNode document = asked.answer(containers ? Questions::containers : Questions::agents);
+      JsonNode document = asked.answer(question());
       PrintWriter out = spec.commandLine().getOut();
       if (json) {
         out.println(document);
+      } else if (diagram) {
+        new MermaidDiagram(document).print(out);
       } else if (containers) {
         new Table(CONTAINERS, JsonRows.of(document.path("containers"), AgentsCommand::container))
             .print(out);
@@ -75,6 +91,13 @@ final class AgentsCommand implements Callable<Integer> {
       }
       return ExitCode.DONE;
     }
+  }
+
+  private Function<Questions, CompletableFuture<JsonNode>> question() {
+    if (diagram) {
+      return Questions::references;
+    }
+    return containers ? Questions::containers : Questions::agents;
   }
 
   private static void printWhy(JsonNode agent, PrintWriter out) {

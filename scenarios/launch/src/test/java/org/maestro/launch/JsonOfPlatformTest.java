@@ -73,6 +73,11 @@ class JsonOfPlatformTest {
                   .path("containers")
                   .findValuesAsText("container"))
           .contains("Main-Container", "robots");
+      assertThat(
+              document("agents-diagram", 0, "agents", "--diagram")
+                  .path("references")
+                  .findValuesAsText("to"))
+          .contains("rose/navigation", "cam-a/perception", "CCA/cognition");
       assertThat(document("why", 0, "why", "G1").path("story").findValuesAsText("kind"))
           .contains("goal", "plan", "end");
       assertThat(document("trace", 0, "trace", "G1").path("trace").findValuesAsText("layer"))

@@ -8,6 +8,8 @@ import org.maestro.hal.Position;
 import org.maestro.junit.GoalOutcome;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Pursuit;
+import org.maestro.junit.Saying;
+import org.maestro.junit.Speaker;
 import org.maestro.junit.Stage;
 
 /** Bob's cup under all the circumstances that the platform has to cope with. */
@@ -55,6 +57,23 @@ class SteppedScenariosTest {
   @Nested
   @MaestroTest(home = "bob-two-robots", scene = "bob-two-robots")
   class WithASecondRobot {
+
+    /** Who talks with the home meanwhile notices nothing of it (ADE, 5; A92). */
+    @Test
+    void itTakesOverDuringADialogueAndNobodyIsToldOfAnError(Stage stage) {
+      Speaker bob = stage.speaker("Bob").in("room-a");
+      Saying asked = bob.says("bring me the cup").means("(initCNP (:goal (nextTo Cup Bob)))");
+      stage.await("somebody holds the cup", () -> stage.world().holder("Cup").isPresent());
+      String first = stage.world().holder("Cup").orElseThrow();
+      stage.kill(first);
+
+      bob.says("where is Bob?").means("(query-ref (in Bob ?where))");
+      asked.isReached();
+      bob.hasHeardNothing();
+      bob.says("where is Bob?").means("(query-ref (in Bob ?where))");
+
+      assertThat(stage.world()).hasNextTo("Cup", "Bob");
+    }
 
     @Test
     void itTakesOverWhenTheFirstDiesCarrying(Stage stage) {

@@ -24,6 +24,8 @@ import org.maestro.console.documents.JsonMembers;
 import org.maestro.console.questions.AclQuestions;
 import org.maestro.console.questions.AgentOrder;
 import org.maestro.console.questions.RefusalException;
+import org.maestro.console.references.ReferenceGraph;
+import org.maestro.console.references.ReferencesDocument;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.ontology.home.ReadingRights;
@@ -155,7 +157,7 @@ public final class Api {
                 Method.POST,
                 "/agents",
                 "addAgents",
-                "Starts an agent for each device that a description has, or one for all of them.",
+                "Starts an agent for each device that a description has, or one for all of them, and the agents of rooms.",
                 "told",
                 this::add)
             .by(Role.ADMINISTRATOR)
@@ -198,6 +200,12 @@ public final class Api {
                 request -> questions.order(new AgentOrder.Remove(request.parameter("agent"))))
             .by(Role.ADMINISTRATOR)
             .with(AGENT),
+        get(
+            "/references",
+            "references",
+            "What the running agents are for, and which refers to which and why.",
+            "agents-diagram",
+            request -> questions.agents().thenApply(this::references)),
         get(
             "/containers",
             "containers",
@@ -258,6 +266,11 @@ public final class Api {
         .truth("simulated", simulated)
         .number("devices", OptionalInt.of(knowledge.home().devices().size()))
         .node();
+  }
+
+  private JsonNode references(JsonNode agents) {
+    return ReferencesDocument.of(
+        new ReferenceGraph(agents, knowledge.home(), knowledge.snapshot()));
   }
 
   private CompletableFuture<JsonNode> history(Request request) {

@@ -66,6 +66,11 @@ public final class HttpQuestions implements Questions {
   }
 
   @Override
+  public CompletableFuture<JsonNode> references() {
+    return get("/references");
+  }
+
+  @Override
   public CompletableFuture<JsonNode> words() {
     return get("/words");
   }

@@ -82,6 +82,13 @@ public final class AclQuestions implements Questions {
     return tables().thenApply(lines -> ContainersDocument.of(lines, shownContainers));
   }
 
+  @Override
+  public CompletableFuture<JsonNode> references() {
+    return CompletableFuture.failedFuture(
+        RefusalException.outside(
+            "Which agent refers to which is told by the console, which does not answer here; run the platform with one (without --console off), or list the agents: ./maestro agents"));
+  }
+
   private CompletableFuture<List<Words>> tables() {
     return ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"));
   }

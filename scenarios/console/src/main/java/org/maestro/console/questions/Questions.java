@@ -18,6 +18,12 @@ public interface Questions {
 
   CompletableFuture<JsonNode> containers();
 
+  /**
+   * What the running agents are for, and which refers to which. The console alone reads all that
+   * this follows from.
+   */
+  CompletableFuture<JsonNode> references();
+
   CompletableFuture<JsonNode> words();
 
   /**
