@@ -25,7 +25,7 @@ final class TranslatedReports {
   private static final Pattern SENTENCE_END = Pattern.compile("\\. (?=\\S)");
 
   /** What is longer is others' text, and quoted. */
-  private static final int LONGEST = 2_000;
+  private static final int LONGEST = 1_500;
 
   /** So often is a rule tried at most for one report; others' text may be anything. */
   private static final int MOST_TRIALS = 100_000;
@@ -71,6 +71,9 @@ final class TranslatedReports {
     }
 
     private Optional<Reported> read(String category, String written) {
+      if (++trials > MOST_TRIALS) {
+        return Optional.empty();
+      }
       if (!patterns.containsKey(category)) {
         return terms.of(category, written);
       }
@@ -116,8 +119,8 @@ final class TranslatedReports {
       Reported best = whole.orElseGet(() -> quoted(text));
       Matcher ends = SENTENCE_END.matcher(text);
       while (best.foreign() > 0 && trials <= MOST_TRIALS && ends.find()) {
-        Reported first = read(REPORT, text.substring(0, ends.start())).orElseThrow();
-        Reported rest = read(REPORT, text.substring(ends.end())).orElseThrow();
+        Reported first = report(text.substring(0, ends.start()));
+        Reported rest = report(text.substring(ends.end()));
         if (first.foreign() + rest.foreign() < best.foreign()) {
           best =
               new Reported(

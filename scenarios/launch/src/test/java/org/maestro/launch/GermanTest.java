@@ -191,7 +191,7 @@ class GermanTest {
         .isEqualTo("„The bulb of lamp-a1 has burst“ (auf Englisch). Niemand kann das bewirken.");
     assertThat(words.report("That failed: lamp-a1 says: my bulb has burst."))
         .isEqualTo("Das ging nicht: Lampe A1 sagt: „my bulb has burst“ (auf Englisch).");
-    assertThat(words.report("x, ".repeat(400) + "and (so on: " + "y; ".repeat(100)))
+    assertThat(words.report("x, ".repeat(200) + "and (so on: " + "y; ".repeat(100)))
         .contains("(auf Englisch)");
   }
 
