@@ -141,15 +141,9 @@ public final class FactWords {
       return clauses(forall.body(), named.within(forall.variables(), forall.body(), true));
     } else if (formula instanceof Formula.Not not) {
       return clauses(not.operand(), named)
-          .filter(inner -> inner.size() == 1 && DENIED.containsKey(inner.get(0).phrase()))
-          .map(
-              inner ->
-                  List.of(
-                      new Clause(
-                          inner.get(0).subject(),
-                          inner.get(0).count(),
-                          DENIED.get(inner.get(0).phrase()),
-                          inner.get(0).rest())));
+          .filter(inner -> inner.size() == 1)
+          .flatMap(inner -> denied(inner.get(0)))
+          .map(List::of);
     } else if (formula instanceof Formula.Atom atom) {
       return related(atom, named).map(List::of);
     } else if (formula instanceof Formula.Comparison comparison) {
@@ -223,6 +217,11 @@ public final class FactWords {
                     .filter(naming::isNamed)
                     .map(name -> (naming.word(name) + " " + others).strip()))
         .map(how -> new Clause(subject, count, SO, how));
+  }
+
+  private static Optional<Clause> denied(Clause clause) {
+    return Optional.ofNullable(DENIED.get(clause.phrase()))
+        .map(phrase -> new Clause(clause.subject(), clause.count(), phrase, clause.rest()));
   }
 
   /** A clause of the predicate's own, by the names of its arguments. */

@@ -94,7 +94,7 @@ final class TranslatedReports {
 
     private Optional<Reported> byRules(String category, String text) {
       Optional<Reported> best = Optional.empty();
-      for (ReportPattern pattern : patterns.get(category)) {
+      for (ReportPattern pattern : patterns.getOrDefault(category, List.of())) {
         if (++trials > MOST_TRIALS) {
           return best;
         }
@@ -155,6 +155,11 @@ final class TranslatedReports {
   private static String formula(String form, Map<String, Reported> values) {
     return PLACE
         .matcher(form)
-        .replaceAll(found -> Matcher.quoteReplacement(values.get(found.group(1)).symbol()));
+        .replaceAll(
+            found ->
+                Optional.ofNullable(values.get(found.group(1)))
+                    .map(Reported::symbol)
+                    .map(Matcher::quoteReplacement)
+                    .orElse(""));
   }
 }
