@@ -33,7 +33,8 @@ class GermanReasonsTest {
   private static final Pattern WORD = Pattern.compile("[\\p{L}]{2,}");
 
   /** Words that both languages have. */
-  private static final Set<String> SHARED = Set.of("in", "so", "an", "am", "es", "was", "war", "kg", "plan");
+  private static final Set<String> SHARED =
+      Set.of("in", "so", "an", "am", "es", "was", "war", "kg", "plan");
 
   private static final String GERMAN =
       """
@@ -43,7 +44,7 @@ class GermanReasonsTest {
   private static final String HALF =
       """
 
-      home:half a maestro:Permission ; maestro:person "*" ; maestro:asks :Lamp ;
+      home:halbe-kraft a maestro:Permission ; maestro:person "*" ; maestro:asks :Lamp ;
         maestro:permits :adjustLight ; maestro:when "(<= ?level 0.5)" .
       """;
 
@@ -96,7 +97,8 @@ class GermanReasonsTest {
 
   private static Set<String> words(Stream<String> texts) {
     return texts
-        .flatMap(one -> WORD.matcher(one).results().map(word -> word.group().toLowerCase(Locale.ROOT)))
+        .flatMap(
+            one -> WORD.matcher(one).results().map(word -> word.group().toLowerCase(Locale.ROOT)))
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
@@ -105,7 +107,8 @@ class GermanReasonsTest {
     Set<String> english = words(HeardWords.wordsOf(grammar("en")).stream());
     english.addAll(
         words(
-            grammar("de").reports().stream().map(rule -> rule.text().replaceAll("[{][^{}]*}", ""))));
+            grammar("de").reports().stream()
+                .map(rule -> rule.text().replaceAll("[{][^{}]*}", ""))));
     english.removeAll(words(HeardWords.wordsOf(grammar("de")).stream()));
     english.removeAll(SHARED);
     assertThat(english).contains("nobody", "needed", "because", "is", "the");
@@ -121,8 +124,7 @@ class GermanReasonsTest {
     Told told = pursued("bob-dark", "", "(not (open door-ab))");
 
     assertThat(told.reasons())
-        .containsExactly(
-            "Niemand kann das bewirken: die Tür zwischen A und B ist geschlossen.");
+        .containsExactly("Niemand kann das bewirken: die Tür zwischen A und B ist geschlossen.");
     assertWhollyGerman(told.story());
   }
 
@@ -132,7 +134,7 @@ class GermanReasonsTest {
 
     assertThat(told.reasons())
         .containsExactly(
-            "Wer nicht bekannt ist, darf die Helligkeit von Lampe B1 auf höchstens 0,5 stellen. Das steht in bob.ttl (half).");
+            "Wer nicht bekannt ist, darf die Helligkeit von Lampe B1 auf höchstens 0,5 stellen. Das steht in bob.ttl (halbe-kraft).");
     assertWhollyGerman(told.reasons());
   }
 
