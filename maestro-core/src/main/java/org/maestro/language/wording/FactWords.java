@@ -148,7 +148,7 @@ public final class FactWords {
                       new Clause(
                           inner.get(0).subject(),
                           inner.get(0).count(),
-                          DENIED.get(inner.get(0).phrase()),
+                          DENIED.getOrDefault(inner.get(0).phrase(), NOT_SO),
                           inner.get(0).rest())));
     } else if (formula instanceof Formula.Atom atom) {
       return related(atom, named).map(List::of);

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
@@ -94,7 +95,7 @@ final class TranslatedReports {
 
     private Optional<Reported> byRules(String category, String text) {
       Optional<Reported> best = Optional.empty();
-      for (ReportPattern pattern : patterns.get(category)) {
+      for (ReportPattern pattern : patterns.getOrDefault(category, List.of())) {
         if (++trials > MOST_TRIALS) {
           return best;
         }
@@ -155,6 +156,9 @@ final class TranslatedReports {
   private static String formula(String form, Map<String, Reported> values) {
     return PLACE
         .matcher(form)
-        .replaceAll(found -> Matcher.quoteReplacement(values.get(found.group(1)).symbol()));
+        .replaceAll(
+            found ->
+                Matcher.quoteReplacement(
+                    Objects.requireNonNull(values.get(found.group(1))).symbol()));
   }
 }
