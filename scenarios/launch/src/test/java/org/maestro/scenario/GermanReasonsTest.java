@@ -44,7 +44,7 @@ class GermanReasonsTest {
   private static final String HALF =
       """
 
-      home:half a maestro:Permission ; maestro:person "*" ; maestro:asks :Lamp ;
+      home:halbe-kraft a maestro:Permission ; maestro:person "*" ; maestro:asks :Lamp ;
         maestro:permits :adjustLight ; maestro:when "(<= ?level 0.5)" .
       """;
 
@@ -134,7 +134,7 @@ class GermanReasonsTest {
 
     assertThat(told.reasons())
         .containsExactly(
-            "Wer nicht bekannt ist, darf die Helligkeit von Lampe B1 auf höchstens 0,5 stellen. Das steht in bob.ttl (half).");
+            "Wer nicht bekannt ist, darf die Helligkeit von Lampe B1 auf höchstens 0,5 stellen. Das steht in bob.ttl (halbe-kraft).");
     assertWhollyGerman(told.reasons());
   }
 
