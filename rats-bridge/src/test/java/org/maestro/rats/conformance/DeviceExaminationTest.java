@@ -12,10 +12,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.maestro.rats.broker.EmbeddedBroker;
@@ -25,21 +26,20 @@ import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
 
-/** Devices that break one rule are found to break that one, and no other. */
+/**
+ * Devices that break one rule are found to break that one, and no other. An examination is mostly
+ * waiting: each has a broker of its own, so that many go on side by side.
+ */
+@Execution(ExecutionMode.CONCURRENT)
 class DeviceExaminationTest {
   private static final String SITE = "examined";
   private static final Patience PATIENCE =
       new Patience(Duration.ofSeconds(3), Duration.ofSeconds(3), Duration.ofMillis(250));
 
-  private static EmbeddedBroker broker;
+  private final EmbeddedBroker broker = EmbeddedBroker.start();
 
-  @BeforeAll
-  static void start() {
-    broker = EmbeddedBroker.start();
-  }
-
-  @AfterAll
-  static void stop() {
+  @AfterEach
+  void stop() {
     broker.close();
   }
 
@@ -75,7 +75,7 @@ class DeviceExaminationTest {
     isFound(flaw);
   }
 
-  private static void isFound(Flaw flaw) {
+  private void isFound(Flaw flaw) {
     // The embedded broker hands no retained call on; nothing can break that rule there.
     List<DeviceRule> expected = flaw == Flaw.TAKES_RETAINED_CALLS ? List.of() : flaw.breaks();
     try (FlawedDevice device = new FlawedDevice(flaw, broker.uri(), SITE)) {
@@ -130,7 +130,7 @@ class DeviceExaminationTest {
   }
 
   /** A device that is there as soon as its examiner is. */
-  private static final class Late implements AutoCloseable {
+  private final class Late implements AutoCloseable {
     private final Transport examiner;
     private final Flaw flaw;
     private @Nullable FlawedDevice device;
