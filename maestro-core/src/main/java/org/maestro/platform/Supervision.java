@@ -93,8 +93,8 @@ final class Supervision implements Containers {
   public List<Newcomer> add(Addition addition) {
     GroupFile.Parts parts =
         new GroupFile(home.get()).read(addition.description(), addition.source());
-    List<AgentStart> starts =
-        parts.devices().isBlank() ? List.of() : starts(parts.devices(), addition);
+    boolean isOfGroupsAlone = parts.devices().isBlank() && !parts.groups().isEmpty();
+    List<AgentStart> starts = isOfGroupsAlone ? List.of() : starts(parts.devices(), addition);
     deployer.add(starts);
     parts.groups().forEach(rooms::begin);
     return Stream.concat(
