@@ -7,7 +7,7 @@ import org.maestro.hal.Twist;
  * The kinematics of a base: how its wheels are placed, and so what their speeds make of its motion.
  * Immutable.
  */
-public sealed interface WheelGeometry permits MecanumWheels, DifferentialWheels {
+public sealed interface WheelGeometry permits MecanumWheels, DifferentialWheels, SkidSteeredWheels {
 
   /**
    * The speeds that the wheels need for a motion (inverse kinematics); radians a second.

@@ -33,10 +33,6 @@ import org.maestro.hal.Switch;
 import org.maestro.hal.SwitchedLamp;
 import org.maestro.hal.Transmitter;
 import org.maestro.hal.WallClock;
-import org.maestro.hal.wheels.DifferentialWheels;
-import org.maestro.hal.wheels.MecanumWheels;
-import org.maestro.hal.wheels.WheelGeometry;
-import org.maestro.hal.wheels.WheeledBase;
 import org.maestro.ontology.floor.Glass;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Device;
@@ -48,7 +44,6 @@ import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.parameters.GripperData;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.parameters.RecognitionData;
-import org.maestro.sim.parameters.WheelData;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneSky;
 import org.maestro.sim.scene.SimulationException;
@@ -149,18 +144,18 @@ public final class DriverFactory {
               .with(ContentsReader.class, new SimulatedContentsReader(actuator, place(device)));
       case "clock" -> clock(device, actuator);
       case "shutter" -> shutter(device, actuator);
-      case "mobile-robot" -> robot(device, actuator, this::gliding);
+      case "mobile-robot" -> robot(device, actuator, Undercarriage::gliding);
       case "mobile-robot-with-fingers" ->
-          robot(device, actuator, this::gliding, DriverFactory::fingers);
-      case "mecanum-robot" -> robot(device, actuator, this::onMecanumWheels);
-      case "differential-robot" -> robot(device, actuator, this::onTwoWheels);
+          robot(device, actuator, Undercarriage::gliding, DriverFactory::fingers);
+      case "mecanum-robot" -> robot(device, actuator, DriverFactory::onMecanumWheels);
+      case "differential-robot" -> robot(device, actuator, DriverFactory::onTwoWheels);
       case "exploring-robot" ->
-          robot(device, actuator, this::onTwoWheels)
+          robot(device, actuator, DriverFactory::onTwoWheels)
               .with(Transmitter.class, new SimulatedTransmitter(actuator, parameters.signal()));
       case "signal-field" ->
           Drivers.none().with(SignalField.class, new SimulatedField(actuator, parameters.signal()));
       case "mobile-robot-with-camera" ->
-          robot(device, actuator, this::gliding)
+          robot(device, actuator, Undercarriage::gliding)
               .with(
                   Camera.class,
                   camera(
@@ -290,43 +285,15 @@ public final class DriverFactory {
   }
 
   private interface Chassis {
-    MobileBase on(Actuator actuator, BaseData base);
+    MobileBase on(Undercarriage undercarriage, Actuator actuator);
   }
 
-  private MobileBase gliding(Actuator actuator, BaseData base) {
-    return new SimulatedBase(actuator, base, parameters.wheels().slip());
+  private static MobileBase onMecanumWheels(Undercarriage undercarriage, Actuator actuator) {
+    return undercarriage.onWheels(actuator, Undercarriage.Wheels.MECANUM);
   }
 
-  private MobileBase onMecanumWheels(Actuator actuator, BaseData base) {
-    WheelData wheels = parameters.wheels();
-    return onWheels(
-        actuator,
-        base,
-        new MecanumWheels(wheels.wheelRadius(), wheels.halfLength(), wheels.halfWidth()));
-  }
-
-  private MobileBase onTwoWheels(Actuator actuator, BaseData base) {
-    WheelData wheels = parameters.wheels();
-    return onWheels(
-        actuator, base, new DifferentialWheels(wheels.wheelRadius(), wheels.halfWidth()));
-  }
-
-  private MobileBase onWheels(Actuator actuator, BaseData base, WheelGeometry geometry) {
-    WheelData data = parameters.wheels();
-    SimulatedWheels wheels = new SimulatedWheels(actuator, geometry, data.slip(), base.radius());
-    return new WheeledBase(
-        geometry,
-        wheels,
-        wheels,
-        actuator::after,
-        new WheeledBase.Limits(
-            base.speed(),
-            data.turnSpeed(),
-            base.radius(),
-            base.power(),
-            data.controlSeconds(),
-            data.nearMetres(),
-            data.aimRadians()));
+  private static MobileBase onTwoWheels(Undercarriage undercarriage, Actuator actuator) {
+    return undercarriage.onWheels(actuator, Undercarriage.Wheels.DIFFERENTIAL);
   }
 
   /** An end effector at a robot's arm: it makes the drivers of both. */
@@ -378,10 +345,13 @@ public final class DriverFactory {
                             + device.id()
                             + " stands. Give it a scene:position."));
     robots.add(device.id());
-    world.whereabouts().put(body.withRadius(parameters.base().radius()));
     Scene.Entry truth = scene.of(device.id());
     double speed = believed(device, "speed", parameters.base().speed(), BaseData.YOUBOT.speed());
-    BaseData base = parameters.base().atSpeed(truth.speed().orElse(speed));
+    Undercarriage undercarriage =
+        new Undercarriage(
+            device, parameters.wheels(), parameters.base().atSpeed(truth.speed().orElse(speed)));
+    BaseData base = undercarriage.base();
+    world.whereabouts().put(body.withRadius(base.radius()));
     double payload =
         believed(device, "payload", parameters.arm().payload(), ArmData.YOUBOT.payload());
     double reach = believed(device, "reach", parameters.arm().reach(), ArmData.YOUBOT.reach());
@@ -395,7 +365,7 @@ public final class DriverFactory {
             .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
             .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
             .with(Surroundings.class, new OnBoardMap(device.id(), world));
-    MobileBase moving = chassis.on(actuator, base);
+    MobileBase moving = chassis.on(undercarriage, actuator);
     return (moving instanceof Steering front ? fitted.with(Steering.class, front) : fitted)
         .with(MobileBase.class, moving);
   }

@@ -20,4 +20,9 @@ public record BaseData(double speed, double radius, double power, double checkSe
   public BaseData atSpeed(double other) {
     return new BaseData(other, radius, power, checkSeconds);
   }
+
+  /** The same base with another circle around it; metres. */
+  public BaseData ofRadius(double other) {
+    return new BaseData(speed, other, power, checkSeconds);
+  }
 }

@@ -28,7 +28,7 @@ public final class FloorMap {
   private final List<Area> areas;
   private final Map<String, Segment> doors;
 
-  FloorMap(Home home) {
+  public FloorMap(Home home) {
     List<Polygon> outlines = new ArrayList<>();
     List<Area> inRooms = new ArrayList<>();
     List<Area> zones = new ArrayList<>();
@@ -84,7 +84,7 @@ public final class FloorMap {
   }
 
   /** Walls with openings where doors are open. */
-  FloorPlan plan(Set<String> openDoors) {
+  public FloorPlan plan(Set<String> openDoors) {
     return new FloorPlan(
         walled, doors.keySet().stream().filter(openDoors::contains).map(doors::get).toList());
   }

@@ -14,14 +14,16 @@ import org.apache.jena.vocabulary.RDFS;
 
 /**
  * Adds to a graph what follows from subclass, subproperty, equivalent, inverse, symmetric and
- * transitive declarations and from restrictions to a value, until nothing new follows. New
- * statements come in a stable order; their origin is the statement that they follow from.
+ * transitive declarations and from restrictions to a value, until nothing new follows; and what a
+ * class says of each of its individuals, of those that are told nothing else. New statements come
+ * in a stable order; their origin is the statement that they follow from.
  */
 public final class Inference {
 
   private static final Node TYPE = RDF.type.asNode();
   private static final Node SUBCLASS = RDFS.subClassOf.asNode();
   private static final Node SUBPROPERTY = RDFS.subPropertyOf.asNode();
+  private static final Node EACH = Maestro.term("each");
   private static final Node INVERSE = OWL.inverseOf.asNode();
   private static final Set<Node> EQUIVALENT =
       Set.of(OWL.equivalentClass.asNode(), OWL.equivalentProperty.asNode());
@@ -33,6 +35,40 @@ public final class Inference {
   }
 
   public void run() {
+    settle();
+    takeFromClasses();
+    settle();
+  }
+
+  /** The class with the most ancestors goes first, so that what it says stands. */
+  private void takeFromClasses() {
+    List<Node> telling = new ArrayList<>(graph.subjectsWith(EACH));
+    telling.sort(
+        Comparator.comparingInt((Node type) -> -graph.objects(type, SUBCLASS).size())
+            .thenComparing(Nodes::localName));
+    for (Node type : telling) {
+      for (Node individual : List.copyOf(graph.subjects(TYPE, type))) {
+        takeFrom(type, individual);
+      }
+    }
+  }
+
+  private void takeFrom(Node type, Node individual) {
+    Set<Node> told = Set.copyOf(graph.predicates(individual));
+    for (Node values : graph.objects(type, EACH)) {
+      for (Node property : graph.predicates(values)) {
+        if (!told.contains(property)) {
+          for (Node value : graph.objects(values, property)) {
+            graph.infer(
+                Triple.create(individual, property, value),
+                graph.originOf(Triple.create(values, property, value)));
+          }
+        }
+      }
+    }
+  }
+
+  private void settle() {
     List<Derived> fresh = round();
     while (!fresh.isEmpty()) {
       fresh.forEach(derived -> graph.infer(derived.triple(), derived.origin()));

@@ -342,7 +342,7 @@ public final class SourceGraph {
   }
 
   /** The origin of a statement that is here; each came with one. */
-  private Origin originOf(Triple stated) {
+  Origin originOf(Triple stated) {
     return Objects.requireNonNull(origins.get(stated));
   }
 

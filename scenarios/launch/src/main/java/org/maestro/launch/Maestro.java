@@ -46,6 +46,7 @@ public final class Maestro implements Runnable {
           Map.entry("devices", DevicesCommand.class),
           Map.entry("device", DeviceCommand.class),
           Map.entry("zigbee", ZigbeeCommand.class),
+          Map.entry("player", PlayerCommand.class),
           Map.entry("goal", GoalCommand.class),
           Map.entry("run-script", RunScriptCommand.class),
           Map.entry("scripts", ScriptsCommand.class),

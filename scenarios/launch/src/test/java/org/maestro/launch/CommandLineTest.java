@@ -50,6 +50,8 @@ class CommandLineTest {
         "devices bob --only rose,tim --broker tcp://127.0.0.1:1 | 2 | no device tim",
         "devices bob --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
         "zigbee bob --gateway tcp://127.0.0.1:1 --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
+        "player exploration --robot rover --server x:1 --at 1 --broker tcp://x:1 | 2 | is no place to stand",
+        "player exploration --robot rex --server x:1 --at 1 --broker tcp://x:1 | 2 | no device rex",
         "zigbee bob --lamp porch=lamp-9 --gateway tcp://x:1 --broker tcp://x:1 | 2 | no lamp lamp-9",
         "device test tcp://127.0.0.1:1 kettle-1 | 3 | No MQTT broker answers",
         "device test tcp://127.0.0.1:1 kettle-1 --call brew=tea | 2 | --call takes a feature and its parameters as a JSON object",

@@ -3,8 +3,6 @@ package org.maestro.launch;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayOutputStream;
-import java.io.PrintStream;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -49,7 +47,7 @@ class ZigbeeCommandTest {
         Transport gateway = new PahoTransport(broker.uri(), "gateway");
         RatsLink link =
             BusLink.connect("cca", "attic", new PahoTransport(broker.uri(), "cca"), clock);
-        RunningCommand command = new RunningCommand(broker.uri().toString())) {
+        RunningCommand command = zigbee(broker.uri().toString())) {
       speakAsGateway(gateway);
 
       Awaitility.await()
@@ -76,13 +74,8 @@ class ZigbeeCommandTest {
     }
   }
 
-  /** The command on a thread of its own, until it is closed, also when the test has failed. */
-  private static final class RunningCommand implements AutoCloseable {
-    private final ByteArrayOutputStream words = new ByteArrayOutputStream();
-    private final Thread thread;
-
-    RunningCommand(String broker) {
-      String[] arguments = {
+  private static RunningCommand zigbee(String broker) {
+    return new RunningCommand(
         "zigbee",
         "bob",
         "--gateway",
@@ -92,23 +85,7 @@ class ZigbeeCommandTest {
         "--site",
         "attic",
         "--lamp",
-        "attic/ceiling=lamp-a2"
-      };
-      PrintStream out = new PrintStream(words, true, UTF_8);
-      thread = new Thread(() -> Maestro.commandLine(out, out).execute(arguments), "zigbee");
-      thread.setDaemon(true);
-      thread.start();
-    }
-
-    String said() {
-      return words.toString(UTF_8);
-    }
-
-    @Override
-    public void close() {
-      thread.interrupt();
-      Awaitility.await().atMost(Duration.ofSeconds(60)).until(() -> !thread.isAlive());
-    }
+        "attic/ceiling=lamp-a2");
   }
 
   private static List<String> ready(RatsLink link) {
