@@ -37,6 +37,19 @@ public final class Walks {
     walk(person, to, () -> {});
   }
 
+  /**
+   * From where the person is along a way.
+   *
+   * @param there done when she has come to its end
+   */
+  public void go(String person, List<Point2> way, Runnable there) {
+    if (way.isEmpty()) {
+      there.run();
+    } else {
+      walk(person, way.get(0), () -> go(person, way.subList(1, way.size()), there));
+    }
+  }
+
   private void walk(String person, List<Stop> corners, int next) {
     walk(person, corners.get(next).place(), () -> stay(person, corners, next));
   }

@@ -1,11 +1,8 @@
 package org.maestro.junit;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
 import org.maestro.assembly.LocalSite;
-import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Utterance;
 
 /**
@@ -16,10 +13,9 @@ public final class Speaker {
   private final LocalSite site;
   private final Duration patience;
   private final String person;
-  private final List<Sentence> heard = new CopyOnWriteArrayList<>();
+  private final Hearing hearing;
   private volatile String room = "";
   private Duration spoke;
-  private int awaited;
 
   /**
    * Somebody who listens from now on.
@@ -31,21 +27,13 @@ public final class Speaker {
     this.person = person;
     this.patience = patience;
     this.spoke = site.clock().now();
+    this.hearing = new Hearing(site, person, patience);
   }
-
-  /** What she heard, and when. */
-  record Sentence(String text, Duration at) {}
 
   /** From now on she hears what is said. */
   Speaker listening() {
-    site.platform().desk().whenSaid(this::hear);
+    hearing.listen(speech -> speech.to().equals(person) || speech.to().equals(room));
     return this;
-  }
-
-  private void hear(Speech speech) {
-    if (speech.to().equals(person) || speech.to().equals(room)) {
-      heard.add(new Sentence(speech.text(), site.clock().now()));
-    }
   }
 
   /** Goes to a room of the home, by its name there. */
@@ -71,27 +59,12 @@ public final class Speaker {
    * the test when she does not.
    */
   public Awaited awaits(String sentence) {
-    if (!site.runUntil(() -> find(sentence).isPresent(), patience)) {
-      throw new StageException(
-          "%s has not heard \"%s\" within %s; heard was: %s"
-              .formatted(person, sentence, patience, heard.stream().map(Sentence::text).toList()));
-    }
-    Sentence found = find(sentence).orElseThrow();
-    awaited = heard.indexOf(found) + 1;
-    return new Awaited(found.text(), found.at().minus(spoke));
+    return hearing.await(sentence, spoke);
   }
 
   /** Nothing was said to her, or in the room in which she is; fails the test when something was. */
   public Speaker hasHeardNothing() {
-    if (!heard.isEmpty()) {
-      throw new AssertionError(
-          "%s was to hear nothing; heard was: %s"
-              .formatted(person, heard.stream().map(Sentence::text).toList()));
-    }
+    hearing.requireNothing();
     return this;
-  }
-
-  private Optional<Sentence> find(String sentence) {
-    return heard.stream().skip(awaited).filter(one -> one.text().equals(sentence)).findFirst();
   }
 }

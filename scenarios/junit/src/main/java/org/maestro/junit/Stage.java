@@ -98,6 +98,16 @@ public final class Stage implements AutoCloseable {
     return speakers.computeIfAbsent(person, name -> new Speaker(site, name, listening).listening());
   }
 
+  /** A room of the home, by its name there, in which is heard what is said from now on. */
+  public Room room(String room) {
+    return new Room(site, room, listening);
+  }
+
+  /** The persons of the home, who walk about in it. */
+  public Persons persons() {
+    return new Persons(site, patience);
+  }
+
   /** What the platform knows. */
   public KnowledgeBase knowledge() {
     return site.platform().knowledge();
