@@ -31,6 +31,7 @@ import org.maestro.hal.Steering;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
 import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.Thermometer;
 import org.maestro.hal.Transmitter;
 import org.maestro.hal.WallClock;
 import org.maestro.hal.wheels.DifferentialWheels;
@@ -38,6 +39,7 @@ import org.maestro.hal.wheels.MecanumWheels;
 import org.maestro.hal.wheels.WheelGeometry;
 import org.maestro.hal.wheels.WheeledBase;
 import org.maestro.ontology.floor.Glass;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Windows;
@@ -71,6 +73,7 @@ public final class DriverFactory {
   private static final double FULL_CHARGE = 1;
   private static final double SECONDS_PER_HOUR = 3600;
   private static final String LOCKED = "locked";
+  private static final String TARGET = "target";
 
   private final World world;
   private final Scene scene;
@@ -144,6 +147,13 @@ public final class DriverFactory {
       case "phone-receiver" -> recognition(device, actuator, parameters.phone(), false);
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
+      case "thermostat" -> thermostat(device, actuator);
+      case "thermometer" ->
+          Drivers.none()
+              .with(
+                  Thermometer.class,
+                  SimulatedThermometer.start(
+                      actuator, parameters.thermometer(), area(device).name()));
       case "stocked-appliance" ->
           appliance(device, actuator)
               .with(ContentsReader.class, new SimulatedContentsReader(actuator, place(device)));
@@ -176,10 +186,10 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver, door, appliance, stocked-appliance,"
-                  + " clock, shutter, mobile-robot, mobile-robot-with-camera,"
-                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot, exploring-robot,"
-                  + " signal-field.");
+                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver,"
+                  + " door, appliance, stocked-appliance, thermostat, thermometer, clock, shutter,"
+                  + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-fingers,"
+                  + " mecanum-robot, differential-robot, exploring-robot, signal-field.");
     };
   }
 
@@ -232,6 +242,17 @@ public final class DriverFactory {
   private Drivers appliance(Device device, Actuator actuator) {
     SimulatedAppliance appliance = settings(device, actuator);
     return Drivers.none().with(Switch.class, appliance).with(Settings.class, appliance);
+  }
+
+  /** An appliance that keeps the zone in which it stands as warm as its target says. */
+  private Drivers thermostat(Device device, Actuator actuator) {
+    SimulatedAppliance thermostat = settings(device, actuator);
+    FloorMap.pose(device.individual(), "pose")
+        .flatMap(pose -> world.building().map().areaAt(new Point2(pose.x(), pose.y())))
+        .ifPresent(
+            area ->
+                world.climate().keep(area.name(), device.id(), () -> thermostat.number(TARGET)));
+    return Drivers.none().with(Switch.class, thermostat).with(Settings.class, thermostat);
   }
 
   private SimulatedAppliance settings(Device device, Actuator actuator) {

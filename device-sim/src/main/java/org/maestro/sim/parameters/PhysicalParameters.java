@@ -27,7 +27,9 @@ public record PhysicalParameters(
     GripperData gripper,
     BatteryData battery,
     DriveData drives,
-    SignalData signal) {
+    SignalData signal,
+    ClimateData climate,
+    ThermometerData thermometer) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -48,7 +50,9 @@ public record PhysicalParameters(
         GripperData.USUAL,
         BatteryData.YOUBOT,
         DriveData.USUAL,
-        SignalData.USUAL);
+        SignalData.USUAL,
+        ClimateData.USUAL,
+        ThermometerData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
@@ -70,7 +74,9 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer);
   }
 
   public PhysicalParameters with(SensorData other) {
@@ -92,7 +98,9 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer);
   }
 
   public PhysicalParameters with(BaseData other) {
@@ -114,7 +122,9 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer);
   }
 
   public PhysicalParameters with(ArmData other) {
@@ -136,7 +146,9 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

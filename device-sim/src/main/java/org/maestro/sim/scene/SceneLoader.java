@@ -47,6 +47,7 @@ public final class SceneLoader {
           "colour",
           "charge",
           "charges",
+          "celsius",
           "fault",
           "walks",
           "state");
@@ -208,7 +209,8 @@ public final class SceneLoader {
             Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)),
             Optional.ofNullable(left.remove("colour")).map(text -> paint(thing, text)),
             number(thing, "charge", left.remove("charge"), 1),
-            truth(thing, "charges", left.remove("charges")).orElse(false));
+            truth(thing, "charges", left.remove("charges")).orElse(false),
+            number(thing, "celsius", left.remove("celsius"), 60));
     if (!left.isEmpty()) {
       String unknown = new TreeSet<>(left.keySet()).first();
       throw fault(
