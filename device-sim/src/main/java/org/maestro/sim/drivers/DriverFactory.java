@@ -16,10 +16,12 @@ import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
+import org.maestro.hal.Ear;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
+import org.maestro.hal.Loudspeaker;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.Position;
@@ -147,6 +149,16 @@ public final class DriverFactory {
       case "phone-receiver" -> recognition(device, actuator, parameters.phone(), false);
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
+      case "simulated-ear" ->
+          Drivers.none()
+              .with(
+                  Ear.class,
+                  SimulatedEar.start(actuator, parameters.speech(), area(device).name()));
+      case "loudspeaker" ->
+          Drivers.none()
+              .with(
+                  Loudspeaker.class,
+                  new SimulatedLoudspeaker(actuator, parameters.speech(), area(device).name()));
       case "thermostat" -> thermostat(device, actuator);
       case "thermometer" ->
           Drivers.none()
@@ -187,7 +199,8 @@ public final class DriverFactory {
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
                   + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver,"
-                  + " door, appliance, stocked-appliance, thermostat, thermometer, clock, shutter,"
+                  + " door, appliance, stocked-appliance, thermostat, thermometer, simulated-ear,"
+                  + " loudspeaker, clock, shutter,"
                   + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-fingers,"
                   + " mecanum-robot, differential-robot, exploring-robot, signal-field.");
     };

@@ -29,7 +29,8 @@ public record PhysicalParameters(
     DriveData drives,
     SignalData signal,
     ClimateData climate,
-    ThermometerData thermometer) {
+    ThermometerData thermometer,
+    SpeechData speech) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -52,7 +53,8 @@ public record PhysicalParameters(
         DriveData.USUAL,
         SignalData.USUAL,
         ClimateData.USUAL,
-        ThermometerData.USUAL);
+        ThermometerData.USUAL,
+        SpeechData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
@@ -76,7 +78,8 @@ public record PhysicalParameters(
         drives,
         signal,
         climate,
-        thermometer);
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(SensorData other) {
@@ -100,7 +103,8 @@ public record PhysicalParameters(
         drives,
         signal,
         climate,
-        thermometer);
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(BaseData other) {
@@ -124,7 +128,8 @@ public record PhysicalParameters(
         drives,
         signal,
         climate,
-        thermometer);
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(ArmData other) {
@@ -148,7 +153,8 @@ public record PhysicalParameters(
         drives,
         signal,
         climate,
-        thermometer);
+        thermometer,
+        speech);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

@@ -31,6 +31,7 @@ final class SceneDoubts {
           entry("charge", SceneDoubts::moves),
           entry("speed", SceneDoubts::moves),
           entry("payload", SceneDoubts::moves),
+          entry("says", thing -> !thing.classes().contains("Device")),
           entry("walks", thing -> !thing.classes().contains("Device")));
 
   private final SceneText text;

@@ -50,6 +50,7 @@ public final class SceneLoader {
           "celsius",
           "fault",
           "walks",
+          "says",
           "state");
 
   private final SceneText text;
@@ -106,6 +107,8 @@ public final class SceneLoader {
     text.words().forEach((thing, said) -> words.put(thing, new TreeMap<>(said)));
     Map<String, List<ScriptedFault>> faults = new TreeMap<>();
     Map<String, List<Stop>> walks = new TreeMap<>();
+    Map<String, List<Saying>> sayings = new TreeMap<>();
+    words.forEach((thing, said) -> attempt(() -> sayings(thing, said, sayings)));
     words.forEach((thing, said) -> attempt(() -> course(thing, said, faults, walks)));
     List<SceneSky> sky = new ArrayList<>();
     Optional.ofNullable(words.remove(SceneText.HOME))
@@ -132,7 +135,7 @@ public final class SceneLoader {
         entries,
         sky.stream().findFirst(),
         openings,
-        new Course(faults, walks),
+        new Course(faults, walks, sayings),
         text.states());
   }
 
@@ -184,6 +187,26 @@ public final class SceneLoader {
           thing,
           "walks",
           "lets " + thing + " walk, but does not say from where; add a scene:position");
+    }
+  }
+
+  private void sayings(String thing, Map<String, String> said, Map<String, List<Saying>> sayings) {
+    String says = said.remove("says");
+    if (says == null) {
+      return;
+    }
+    if (!said.containsKey("position")) {
+      throw fault(
+          thing, "says", "lets " + thing + " speak, but does not say where; add a scene:position");
+    }
+    try {
+      sayings.put(thing, Arrays.stream(says.split(";")).map(Saying::parse).toList());
+    } catch (IllegalArgumentException e) {
+      throw fault(
+          thing,
+          "says",
+          "does not say what %s says: %s"
+              .formatted(thing, String.valueOf(e.getMessage()).replaceAll("\\.$", "")));
     }
   }
 

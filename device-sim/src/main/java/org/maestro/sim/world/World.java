@@ -37,6 +37,7 @@ public final class World {
   private final Stations stations;
   private final SignalMap signal;
   private final Climate climate;
+  private final Talk talk;
   private final boolean shutters;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private volatile boolean ended;
@@ -56,6 +57,7 @@ public final class World {
     this.signal = SignalMap.drawn(building.map().areas(), seed, parameters.signal());
     this.climate = new Climate(this, clock, scene, parameters.climate(), faults::isAlive);
     listen(event -> climate.happened(event.subject()));
+    this.talk = new Talk(this, clock);
     this.shutters = parameters.shutters();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
   }
@@ -412,6 +414,10 @@ public final class World {
 
   public Climate climate() {
     return climate;
+  }
+
+  public Talk talk() {
+    return talk;
   }
 
   public Containers containers() {
