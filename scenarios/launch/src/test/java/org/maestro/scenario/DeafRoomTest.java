@@ -10,9 +10,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Objects;
 import java.util.UUID;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.junit.Stage;
@@ -22,6 +24,7 @@ import org.maestro.sim.scene.SceneLoader;
 import org.slf4j.LoggerFactory;
 
 /** The recogniser of a room needs a host with a microphone, and there is none (A38). */
+@ResourceLock("the log of rooms")
 class DeafRoomTest {
   private static final String DEAF =
       "There is a problem with my speech recognition, so you will need to use the keyboard"
@@ -64,7 +67,7 @@ class DeafRoomTest {
           () ->
               stage.world().talk().sounded().stream()
                   .anyMatch(sounded -> sounded.text().equals(DEAF)));
-      assertThat(log.list)
+      assertThat(new ArrayList<>(log.list))
           .extracting(ILoggingEvent::getFormattedMessage)
           .anyMatch(line -> line.contains(WHY))
           .anyMatch(line -> line.contains("without microphone") && line.endsWith(DEAF));

@@ -7,12 +7,12 @@ import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import org.maestro.junit.MaestroAssertions;
 import org.maestro.junit.MaestroTest;
 import org.maestro.junit.Speaker;
@@ -21,7 +21,7 @@ import org.maestro.sim.world.Talk;
 import org.slf4j.LoggerFactory;
 
 /** A room with what any room has, of one file (A71). */
-@Execution(ExecutionMode.SAME_THREAD)
+@ResourceLock("the log of rooms")
 @MaestroTest(home = "parlour", scene = "parlour")
 class ParlourTest {
   private static final String DEAF =
@@ -99,10 +99,11 @@ class ParlourTest {
 
   /** The stations of figure 3 of the ADE paper (A51), each with its number. */
   private static List<String> stations(ListAppender<ILoggingEvent> log) {
-    return log.list.stream()
-        .filter(event -> event.getLevel() == Level.DEBUG)
-        .map(event -> event.getFormattedMessage().split(" ", 3)[2])
-        .toList();
+    return new ArrayList<>(log.list)
+        .stream()
+            .filter(event -> event.getLevel() == Level.DEBUG)
+            .map(event -> event.getFormattedMessage().split(" ", 3)[2])
+            .toList();
   }
 
   @Test
@@ -151,7 +152,7 @@ class ParlourTest {
 
     dave.awaits(DEAF);
     stage.await("the sentence is spoken", () -> heard(stage).equals(List.of(DEAF)));
-    assertThat(log.list)
+    assertThat(new ArrayList<>(log.list))
         .filteredOn(event -> event.getLevel() == Level.WARN)
         .singleElement()
         .satisfies(
