@@ -23,7 +23,6 @@ import org.maestro.coordination.api.Speech;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.Utterance;
 import org.maestro.ontology.home.Home;
-import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Term;
@@ -123,16 +122,7 @@ public final class RoomSpeech {
   }
 
   private Optional<String> feature(String member) {
-    return feature(home.get(), member, LISTEN);
-  }
-
-  /** The feature of a member that it does by a routine of its software. */
-  static Optional<String> feature(Home home, String member, String routine) {
-    return Optional.ofNullable(home.devices().get(member)).stream()
-        .flatMap(device -> device.features().stream())
-        .filter(feature -> feature.procedure().equals(routine))
-        .map(FeatureType::name)
-        .findFirst();
+    return RoomVoice.feature(home.get(), member, LISTEN);
   }
 
   private void listen(String member, Ear ear, String feature) {

@@ -13,6 +13,7 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Argument;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.sl.Term;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -41,8 +42,17 @@ final class RoomVoice {
     this.spoken = spoken;
   }
 
+  /** The feature of a member that it does by a routine of its software. */
+  static Optional<String> feature(Home home, String member, String routine) {
+    return Optional.ofNullable(home.devices().get(member)).stream()
+        .flatMap(device -> device.features().stream())
+        .filter(feature -> feature.procedure().equals(routine))
+        .map(FeatureType::name)
+        .findFirst();
+  }
+
   void memberPresent(String member, AID of) {
-    if (RoomSpeech.feature(home.get(), member, SAY).isPresent()) {
+    if (feature(home.get(), member, SAY).isPresent()) {
       voices.put(member, of);
       unsaid.ifPresent(this::say);
       unsaid = Optional.empty();
@@ -61,7 +71,7 @@ final class RoomVoice {
   /** Has the first member that can say a sentence; without one nothing is heard. */
   void say(String sentence) {
     for (Map.Entry<String, AID> voice : voices.entrySet()) {
-      Optional<String> feature = RoomSpeech.feature(home.get(), voice.getKey(), SAY);
+      Optional<String> feature = feature(home.get(), voice.getKey(), SAY);
       if (feature.isPresent()) {
         say(voice.getKey(), voice.getValue(), feature.get(), sentence);
         return;
