@@ -22,6 +22,7 @@ import org.maestro.hal.ShutterDrive;
 import org.maestro.hal.Steering;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
+import org.maestro.hal.Thermometer;
 import org.maestro.hal.WallClock;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.MemberProfile;
@@ -84,6 +85,9 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(PresenceSensor.class)
         .ifPresent(sensor -> words.put("presence", new Term.Truth(sensor.isSomebodyThere())));
+    drivers
+        .find(Thermometer.class)
+        .ifPresent(thermometer -> words.put("temperature", new Term.Number(thermometer.celsius())));
     drivers
         .find(Switch.class)
         .ifPresent(appliance -> words.put("on", new Term.Truth(appliance.isOn())));

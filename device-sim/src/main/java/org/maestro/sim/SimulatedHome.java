@@ -29,6 +29,7 @@ import org.maestro.sim.drivers.DriverFactory;
 import org.maestro.sim.drivers.SimulatedCamera;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Course;
+import org.maestro.sim.scene.Saying;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.ScriptedFault;
 import org.maestro.sim.scene.SimulationException;
@@ -173,6 +174,20 @@ public final class SimulatedHome implements AutoCloseable {
     course.faults().forEach((subject, all) -> all.forEach(fault -> faults.begin(subject, fault)));
     Walks walks = new Walks(world, setup.clock());
     course.walks().forEach(walks::start);
+    course.sayings().forEach((person, all) -> all.forEach(saying -> begin(person, saying)));
+  }
+
+  private void begin(String person, Saying saying) {
+    setup
+        .clock()
+        .schedule(
+            saying.at(),
+            person,
+            () -> {
+              if (!world.hasEnded()) {
+                world.talk().say(person, saying.words());
+              }
+            });
   }
 
   public World world() {

@@ -267,7 +267,8 @@ class SimulatedHomeTest {
         Optional.of(kind),
         none.colour(),
         none.charge(),
-        none.charges());
+        none.charges(),
+        none.celsius());
   }
 
   private static MemberStatus.Phase phase(Homes homes, String id) {

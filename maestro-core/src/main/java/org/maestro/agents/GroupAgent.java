@@ -22,6 +22,7 @@ import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.rooms.RoomListening;
+import org.maestro.agents.rooms.RoomSpeech;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Stakes;
@@ -68,6 +69,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   private transient Clock.Timer rollCall = () -> {};
   private transient Clock.Timer start = () -> {};
   private final transient Optional<RoomListening> listening;
+  private final transient Optional<RoomSpeech> speech;
   private boolean started;
 
   /**
@@ -95,6 +97,11 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
             member -> called.contains(member),
             Optional.empty());
     this.listening = group.hearing().map(hearing -> listening(story, dialogues));
+    this.speech =
+        group.hearing().stream()
+            .flatMap(hearing -> hearing.rooms().stream())
+            .findFirst()
+            .map(room -> new RoomSpeech(this, group.id(), room, mind.knowledge()::home, dialogues));
   }
 
   /** What is said in its room, as the central agent hears it in the whole home. */
@@ -131,6 +138,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   protected void takeDown() {
     rollCall.cancel();
     start.cancel();
+    speech.ifPresent(RoomSpeech::end);
     goals.end();
     super.takeDown();
   }
@@ -153,6 +161,20 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
     tell(() -> present.keySet().removeAll(goals.agentGone(name, "its agent has ended")));
   }
 
+  @Override
+  public void agentStaysAway(String member, String reason) {
+    tell(
+        () ->
+            speech
+                .filter(its -> members().contains(member))
+                .ifPresent(its -> its.memberStaysAway(member, reason)));
+  }
+
+  @Override
+  public void agentDied(String name) {
+    tell(() -> speech.ifPresent(its -> its.agentDied(name)));
+  }
+
   private void startToPursue() {
     if (!started) {
       started = true;
@@ -173,6 +195,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       }
     }
     called = members;
+    speech.ifPresent(its -> its.expect(members));
     members.forEach(this::call);
     rollCall = clock().schedule(BETWEEN_ROLL_CALLS, group.id(), () -> tell(this::callRoll));
   }
@@ -253,11 +276,13 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       if (!life.equals(former) || !goals.isPresent(member)) {
         goals.memberPresent(member, message.getSender(), words.string("life"));
       }
+      speech.ifPresent(its -> its.memberPresent(member, message.getSender(), life));
       if (present.keySet().containsAll(called)) {
         startToPursue();
       }
     } else if (present.remove(member) != null) {
       goals.memberLost(member, words.string("reason").orElse("lost"));
+      speech.ifPresent(its -> its.memberLost(member, words.string("reason").orElse("lost")));
     }
   }
 }

@@ -42,6 +42,8 @@ public final class Procedures {
     kinds.put("switchOn", new Kind("switching", context -> new SetSwitch(context, true)));
     kinds.put("switchOff", new Kind("switching", context -> new SetSwitch(context, false)));
     kinds.put("set", new Kind("switching", SetSettings::new));
+    kinds.put("listen", new Kind("listening", ListenTask::new));
+    kinds.put("say", new Kind("speaking", SayTask::new));
     kinds.put("move", new Kind("driving", MoveTask::new));
     kinds.put("pick", new Kind("arm-in-movement", context -> new PickTask(context, "object")));
     kinds.put(

@@ -16,10 +16,12 @@ import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
+import org.maestro.hal.Ear;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
+import org.maestro.hal.Loudspeaker;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.Position;
@@ -31,9 +33,11 @@ import org.maestro.hal.Steering;
 import org.maestro.hal.Surroundings;
 import org.maestro.hal.Switch;
 import org.maestro.hal.SwitchedLamp;
+import org.maestro.hal.Thermometer;
 import org.maestro.hal.Transmitter;
 import org.maestro.hal.WallClock;
 import org.maestro.ontology.floor.Glass;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Windows;
@@ -66,6 +70,7 @@ public final class DriverFactory {
   private static final double FULL_CHARGE = 1;
   private static final double SECONDS_PER_HOUR = 3600;
   private static final String LOCKED = "locked";
+  private static final String TARGET = "target";
 
   private final World world;
   private final Scene scene;
@@ -139,6 +144,23 @@ public final class DriverFactory {
       case "phone-receiver" -> recognition(device, actuator, parameters.phone(), false);
       case "door" -> door(device, actuator);
       case "appliance" -> appliance(device, actuator);
+      case "simulated-ear" ->
+          Drivers.none()
+              .with(
+                  Ear.class,
+                  SimulatedEar.start(actuator, parameters.speech(), area(device).name()));
+      case "loudspeaker" ->
+          Drivers.none()
+              .with(
+                  Loudspeaker.class,
+                  new SimulatedLoudspeaker(actuator, parameters.speech(), area(device).name()));
+      case "thermostat" -> thermostat(device, actuator);
+      case "thermometer" ->
+          Drivers.none()
+              .with(
+                  Thermometer.class,
+                  SimulatedThermometer.start(
+                      actuator, parameters.thermometer(), area(device).name()));
       case "stocked-appliance" ->
           appliance(device, actuator)
               .with(ContentsReader.class, new SimulatedContentsReader(actuator, place(device)));
@@ -171,10 +193,11 @@ public final class DriverFactory {
                   + " of "
                   + device.id()
                   + " cannot be simulated; known are lamp, switched-lamp, camera, trusting-camera,"
-                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver, door, appliance, stocked-appliance,"
-                  + " clock, shutter, mobile-robot, mobile-robot-with-camera,"
-                  + " mobile-robot-with-fingers, mecanum-robot, differential-robot, exploring-robot,"
-                  + " signal-field.");
+                  + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver,"
+                  + " door, appliance, stocked-appliance, thermostat, thermometer, simulated-ear,"
+                  + " loudspeaker, clock, shutter,"
+                  + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-fingers,"
+                  + " mecanum-robot, differential-robot, exploring-robot, signal-field.");
     };
   }
 
@@ -227,6 +250,17 @@ public final class DriverFactory {
   private Drivers appliance(Device device, Actuator actuator) {
     SimulatedAppliance appliance = settings(device, actuator);
     return Drivers.none().with(Switch.class, appliance).with(Settings.class, appliance);
+  }
+
+  /** An appliance that keeps the zone in which it stands as warm as its target says. */
+  private Drivers thermostat(Device device, Actuator actuator) {
+    SimulatedAppliance thermostat = settings(device, actuator);
+    FloorMap.pose(device.individual(), "pose")
+        .flatMap(pose -> world.building().map().areaAt(new Point2(pose.x(), pose.y())))
+        .ifPresent(
+            area ->
+                world.climate().keep(area.name(), device.id(), () -> thermostat.number(TARGET)));
+    return Drivers.none().with(Switch.class, thermostat).with(Settings.class, thermostat);
   }
 
   private SimulatedAppliance settings(Device device, Actuator actuator) {

@@ -3,6 +3,7 @@ package org.maestro.sim.drivers;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
@@ -119,6 +120,13 @@ final class SimulatedAppliance implements Switch, Settings {
   @Override
   public Map<String, Term> values() {
     return told().values();
+  }
+
+  /** What a setting truly is, whatever is told of it; empty when it is no number now. */
+  OptionalDouble number(String name) {
+    return state.values().get(name) instanceof Term.Number number
+        ? OptionalDouble.of(number.value())
+        : OptionalDouble.empty();
   }
 
   @Override

@@ -27,7 +27,10 @@ public record PhysicalParameters(
     GripperData gripper,
     BatteryData battery,
     DriveData drives,
-    SignalData signal) {
+    SignalData signal,
+    ClimateData climate,
+    ThermometerData thermometer,
+    SpeechData speech) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -48,7 +51,10 @@ public record PhysicalParameters(
         GripperData.USUAL,
         BatteryData.YOUBOT,
         DriveData.USUAL,
-        SignalData.USUAL);
+        SignalData.USUAL,
+        ClimateData.USUAL,
+        ThermometerData.USUAL,
+        SpeechData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
@@ -70,7 +76,10 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(SensorData other) {
@@ -92,7 +101,10 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(BaseData other) {
@@ -114,7 +126,10 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer,
+        speech);
   }
 
   public PhysicalParameters with(ArmData other) {
@@ -136,7 +151,10 @@ public record PhysicalParameters(
         gripper,
         battery,
         drives,
-        signal);
+        signal,
+        climate,
+        thermometer,
+        speech);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

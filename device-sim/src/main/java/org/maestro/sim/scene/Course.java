@@ -10,13 +10,18 @@ import java.util.TreeMap;
  *
  * @param faults by the thing, zone or device to which they happen; the empty name is the home
  * @param walks corners of the rounds that persons walk, by name
+ * @param sayings what persons say, by name
  */
-public record Course(Map<String, List<ScriptedFault>> faults, Map<String, List<Stop>> walks) {
+public record Course(
+    Map<String, List<ScriptedFault>> faults,
+    Map<String, List<Stop>> walks,
+    Map<String, List<Saying>> sayings) {
 
-  public static final Course NOTHING = new Course(Map.of(), Map.of());
+  public static final Course NOTHING = new Course(Map.of(), Map.of(), Map.of());
 
   public Course {
     faults = Collections.unmodifiableMap(new TreeMap<>(faults));
     walks = Collections.unmodifiableMap(new TreeMap<>(walks));
+    sayings = Collections.unmodifiableMap(new TreeMap<>(sayings));
   }
 }

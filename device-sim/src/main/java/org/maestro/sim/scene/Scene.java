@@ -77,6 +77,7 @@ public record Scene(
    * @param colour of what has another colour than the home says
    * @param charge of a robot's battery in the beginning, 0 to 1
    * @param charges batteries of robots that stand at its reference point
+   * @param celsius how warm the air of a zone is in the beginning
    */
   public record Entry(
       Optional<Position> position,
@@ -93,7 +94,8 @@ public record Scene(
       Optional<WorldEvent.Kind> diesWhen,
       Optional<Paint> colour,
       OptionalDouble charge,
-      boolean charges) {
+      boolean charges,
+      OptionalDouble celsius) {
 
     public static final Entry NOTHING =
         new Entry(
@@ -111,7 +113,8 @@ public record Scene(
             Optional.empty(),
             Optional.empty(),
             OptionalDouble.empty(),
-            false);
+            false,
+            OptionalDouble.empty());
 
     public Entry at(Position place) {
       return new Entry(
@@ -129,7 +132,8 @@ public record Scene(
           diesWhen,
           colour,
           charge,
-          charges);
+          charges,
+          celsius);
     }
   }
 }

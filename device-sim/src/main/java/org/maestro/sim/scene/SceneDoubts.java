@@ -1,5 +1,7 @@
 package org.maestro.sim.scene;
 
+import static java.util.Map.entry;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -18,17 +20,19 @@ final class SceneDoubts {
 
   /** Of what a word is said; of other things nothing comes of it. */
   private static final Map<String, Predicate<Individual>> SAID_OF =
-      Map.of(
-          "level", thing -> thing.properties().containsKey("luminousIntensity"),
-          "strength", thing -> thing.properties().containsKey("luminousIntensity"),
-          "opening", thing -> thing.properties().containsKey("shades"),
-          "ambientLux", thing -> thing.classes().contains("Zone"),
-          "open", thing -> thing.classes().contains("Door"),
-          "charges", thing -> thing.classes().contains("Location"),
-          "charge", SceneDoubts::moves,
-          "speed", SceneDoubts::moves,
-          "payload", SceneDoubts::moves,
-          "walks", thing -> !thing.classes().contains("Device"));
+      Map.ofEntries(
+          entry("level", thing -> thing.properties().containsKey("luminousIntensity")),
+          entry("strength", thing -> thing.properties().containsKey("luminousIntensity")),
+          entry("opening", thing -> thing.properties().containsKey("shades")),
+          entry("ambientLux", thing -> thing.classes().contains("Zone")),
+          entry("celsius", thing -> thing.classes().contains("Zone")),
+          entry("open", thing -> thing.classes().contains("Door")),
+          entry("charges", thing -> thing.classes().contains("Location")),
+          entry("charge", SceneDoubts::moves),
+          entry("speed", SceneDoubts::moves),
+          entry("payload", SceneDoubts::moves),
+          entry("says", thing -> !thing.classes().contains("Device")),
+          entry("walks", thing -> !thing.classes().contains("Device")));
 
   private final SceneText text;
   private final Scene scene;

@@ -47,8 +47,10 @@ public final class SceneLoader {
           "colour",
           "charge",
           "charges",
+          "celsius",
           "fault",
           "walks",
+          "says",
           "state");
 
   private final SceneText text;
@@ -105,6 +107,8 @@ public final class SceneLoader {
     text.words().forEach((thing, said) -> words.put(thing, new TreeMap<>(said)));
     Map<String, List<ScriptedFault>> faults = new TreeMap<>();
     Map<String, List<Stop>> walks = new TreeMap<>();
+    Map<String, List<Saying>> sayings = new TreeMap<>();
+    words.forEach((thing, said) -> attempt(() -> sayings(thing, said, sayings)));
     words.forEach((thing, said) -> attempt(() -> course(thing, said, faults, walks)));
     List<SceneSky> sky = new ArrayList<>();
     Optional.ofNullable(words.remove(SceneText.HOME))
@@ -131,7 +135,7 @@ public final class SceneLoader {
         entries,
         sky.stream().findFirst(),
         openings,
-        new Course(faults, walks),
+        new Course(faults, walks, sayings),
         text.states());
   }
 
@@ -186,6 +190,26 @@ public final class SceneLoader {
     }
   }
 
+  private void sayings(String thing, Map<String, String> said, Map<String, List<Saying>> sayings) {
+    String says = said.remove("says");
+    if (says == null) {
+      return;
+    }
+    if (!said.containsKey("position")) {
+      throw fault(
+          thing, "says", "lets " + thing + " speak, but does not say where; add a scene:position");
+    }
+    try {
+      sayings.put(thing, Arrays.stream(says.split(";")).map(Saying::parse).toList());
+    } catch (IllegalArgumentException e) {
+      throw fault(
+          thing,
+          "says",
+          "does not say what %s says: %s"
+              .formatted(thing, String.valueOf(e.getMessage()).replaceAll("\\.$", "")));
+    }
+  }
+
   private static List<Stop> corners(String walk) {
     return Arrays.stream(walk.split(",")).map(Stop::parse).toList();
   }
@@ -208,7 +232,8 @@ public final class SceneLoader {
             Optional.ofNullable(left.remove("diesWhen")).map(text -> kind(thing, text)),
             Optional.ofNullable(left.remove("colour")).map(text -> paint(thing, text)),
             number(thing, "charge", left.remove("charge"), 1),
-            truth(thing, "charges", left.remove("charges")).orElse(false));
+            truth(thing, "charges", left.remove("charges")).orElse(false),
+            number(thing, "celsius", left.remove("celsius"), 60));
     if (!left.isEmpty()) {
       String unknown = new TreeSet<>(left.keySet()).first();
       throw fault(

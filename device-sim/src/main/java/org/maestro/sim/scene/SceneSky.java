@@ -1,6 +1,7 @@
 package org.maestro.sim.scene;
 
 import java.time.Duration;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.maestro.sim.sky.Clouds;
 import org.maestro.sim.sky.Sky;
@@ -13,6 +14,7 @@ import org.maestro.sim.sky.Sky;
  * @param solarHours of the beginning, 12 being when the sun is highest
  * @param northDegrees where north is on the map, from x towards y
  * @param cloudSeed of clouds that are the same whatever the run's seed is
+ * @param celsius how warm it is outdoors, where the scene says so
  */
 public record SceneSky(
     double latitudeDegrees,
@@ -22,7 +24,8 @@ public record SceneSky(
     double cloudCover,
     double cloudChange,
     Duration cloudsEvery,
-    OptionalLong cloudSeed) {
+    OptionalLong cloudSeed,
+    OptionalDouble celsius) {
 
   public Sky sky(long runSeed) {
     return new Sky(

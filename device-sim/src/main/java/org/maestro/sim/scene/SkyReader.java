@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.LocalTime;
 import java.time.format.DateTimeParseException;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
@@ -12,7 +13,8 @@ import java.util.function.BiFunction;
 final class SkyReader {
 
   private static final String WORDS =
-      "latitude, dayOfYear, solarTime, north, cloudCover, cloudChange, cloudMinutes, cloudSeed";
+      "latitude, dayOfYear, solarTime, north, cloudCover, cloudChange, cloudMinutes, cloudSeed,"
+          + " celsius";
   private static final double NORTH_ABOVE = 90;
   private static final double USUAL_CLOUD_MINUTES = 10;
   private static final double SECONDS_PER_HOUR = 3600;
@@ -39,6 +41,10 @@ final class SkyReader {
         left.containsKey("cloudSeed")
             ? OptionalLong.of((long) number("cloudSeed", 0, 0, Integer.MAX_VALUE))
             : OptionalLong.empty();
+    OptionalDouble celsius =
+        left.containsKey("celsius")
+            ? OptionalDouble.of(number("celsius", 0, -60, 60))
+            : OptionalDouble.empty();
     SceneSky sky =
         new SceneSky(
             needed("latitude", -90, 90),
@@ -49,7 +55,8 @@ final class SkyReader {
             number("cloudChange", 0, 0, 1),
             Duration.ofSeconds(
                 Math.round(60 * number("cloudMinutes", USUAL_CLOUD_MINUTES, 0.1, 1440))),
-            seed);
+            seed,
+            celsius);
     if (!left.isEmpty()) {
       String word = left.keySet().iterator().next();
       throw fault.apply(word, "says scene:%s of the home; known are %s".formatted(word, WORDS));

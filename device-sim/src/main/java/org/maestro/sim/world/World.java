@@ -36,6 +36,8 @@ public final class World {
   private final Containers containers;
   private final Stations stations;
   private final SignalMap signal;
+  private final Climate climate;
+  private final Talk talk;
   private final boolean shutters;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private volatile boolean ended;
@@ -53,6 +55,9 @@ public final class World {
     this.containers = new Containers(home);
     this.stations = new Stations(home, scene);
     this.signal = SignalMap.drawn(building.map().areas(), seed, parameters.signal());
+    this.climate = new Climate(this, clock, scene, parameters.climate(), faults::isAlive);
+    listen(event -> climate.happened(event.subject()));
+    this.talk = new Talk(this, clock);
     this.shutters = parameters.shutters();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
   }
@@ -195,6 +200,17 @@ public final class World {
    */
   public synchronized void weaken(String lamp, double strength) {
     lighting.put(lamp, lighting.lamp(lamp).weakened(strength));
+  }
+
+  // Warmth
+
+  /**
+   * How warm the air of a zone is; degrees Celsius.
+   *
+   * @throws SimulationException when there is no such zone
+   */
+  public double celsius(String zone) {
+    return climate.celsius(building.map().area(zone).name());
   }
 
   // Changes by hand
@@ -394,6 +410,14 @@ public final class World {
   /** The signal over the floor, of homes in which somebody asks for it. */
   public SignalMap signal() {
     return signal;
+  }
+
+  public Climate climate() {
+    return climate;
+  }
+
+  public Talk talk() {
+    return talk;
   }
 
   public Containers containers() {

@@ -175,11 +175,54 @@ public final class ActionExecution {
                 Outcome.FAILED,
                 OrderUnderway.failed(
                     "the agent of " + member + " was moved while it was at it", List.of())));
+    if (words.string("watch").isPresent() && feature.continuous()) {
+      handles.put(conversation, orders.begin(order, new Watched(message, conversation)));
+      return;
+    }
     begin(
         conversation,
         order,
         Optional.of(message.getSender()),
         (outcome, report) -> answer(message, outcome, report));
+  }
+
+  /**
+   * A call of which each observation is told to who ordered it, and to nobody else, until it is
+   * over.
+   */
+  private final class Watched implements CallReporter.Listener {
+    private final ACLMessage message;
+    private final String conversation;
+    private boolean isEstablished;
+
+    Watched(ACLMessage message, String conversation) {
+      this.message = message;
+      this.conversation = conversation;
+    }
+
+    @Override
+    public void reported(Outcome outcome, ActionDispatcher.Report report) {
+      isEstablished = report.succeeded();
+      if (isEstablished) {
+        learnt(report.outputs());
+      } else {
+        answer(message, outcome, report);
+      }
+    }
+
+    @Override
+    public void learnt(Map<String, Term> outputs) {
+      agent.reply(
+          message, ACLMessage.CONFIRM, Words.content("inform", Words.terms("outputs", outputs)));
+    }
+
+    @Override
+    public void over() {
+      handles.remove(conversation);
+      if (abandoned.remove(conversation) != null && isEstablished) {
+        agent.refuse(message, ACLMessage.FAILURE, member + " has ended it");
+      }
+    }
   }
 
   /** What who orders it counts on. */

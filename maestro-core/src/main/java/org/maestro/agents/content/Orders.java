@@ -1,5 +1,6 @@
 package org.maestro.agents.content;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -53,6 +54,37 @@ public final class Orders {
     if (order.ends()) {
       arguments.add(Words.named("ends", Words.name("true")));
     }
+    return new Content("perform", arguments);
+  }
+
+  /**
+   * For no goal, at once.
+   *
+   * @param receiver the agent that is ordered
+   */
+  public static Content plain(
+      String member,
+      String receiver,
+      String feature,
+      Duration timeout,
+      Map<String, Argument> parameters) {
+    List<Content.Argument> arguments = new ArrayList<>(member(member, receiver));
+    arguments.add(Words.named("feature", Words.name(feature)));
+    arguments.add(Words.named("timeout", Words.number((double) timeout.toMillis())));
+    arguments.add(parameters("parameters", parameters));
+    return new Content("perform", arguments);
+  }
+
+  /**
+   * For no goal, of a feature that goes on: each of its observations is told to who orders it, by
+   * CONFIRM, and to nobody else.
+   *
+   * @param receiver the agent that is ordered
+   */
+  public static Content watched(String member, String receiver, String feature) {
+    List<Content.Argument> arguments = new ArrayList<>(member(member, receiver));
+    arguments.add(Words.named("feature", Words.name(feature)));
+    arguments.add(Words.named("watch", Words.name("true")));
     return new Content("perform", arguments);
   }
 

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
@@ -114,7 +115,8 @@ final class Laboratory {
                 settings.number(CLOUDS),
                 settings.number(CHANGE),
                 Duration.ofMinutes(10),
-                OptionalLong.of(seed))),
+                OptionalLong.of(seed),
+                OptionalDouble.empty())),
         openings,
         scene.course(),
         scene.states());

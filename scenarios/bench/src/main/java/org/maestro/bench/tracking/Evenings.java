@@ -74,7 +74,7 @@ final class Evenings {
         made.entries(),
         made.sky(),
         made.openings(),
-        new Course(scene.course().faults(), walks),
+        new Course(scene.course().faults(), walks, scene.course().sayings()),
         made.states());
   }
 
