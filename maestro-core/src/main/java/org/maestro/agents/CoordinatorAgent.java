@@ -24,6 +24,7 @@ import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Journal;
@@ -76,6 +77,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
    * @param dialogues what persons have said before
    */
   public CoordinatorAgent(
+      Birth birth,
       AgentTime time,
       KnowledgeBase knowledge,
       Planner planner,
@@ -83,7 +85,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       Duration decisionTime,
       Past past,
       Dialogues dialogues) {
-    super(time);
+    super(birth, time);
     this.knowledge = knowledge;
     this.recovery = past.recovery();
     this.returns = past.returns();

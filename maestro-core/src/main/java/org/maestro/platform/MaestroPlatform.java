@@ -95,6 +95,7 @@ public final class MaestroPlatform implements AutoCloseable {
             memory.diary()::note,
             before ->
                 new CoordinatorAgent(
+                    main.birth(),
                     time,
                     knowledge,
                     services.planner(),
@@ -104,7 +105,10 @@ public final class MaestroPlatform implements AutoCloseable {
                     dialogues));
     this.desk =
         new DeskAgent(
-            time, memory.answers(), room -> knowledge.home().listener(room).map(Group::id));
+            main.birth(),
+            time,
+            memory.answers(),
+            room -> knowledge.home().listener(room).map(Group::id));
     Surroundings here =
         new Surroundings(
             time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
@@ -124,7 +128,7 @@ public final class MaestroPlatform implements AutoCloseable {
             knowledge,
             lives,
             agents,
-            group -> new GroupAgent(time, mind, group, stories, past, dialogues));
+            group -> new GroupAgent(main.birth(), time, mind, group, stories, past, dialogues));
     this.tables =
         new PlatformTables(
             agents.deployer().deployment(),
@@ -136,6 +140,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     .flatMap(Device::driver));
     this.supervisor =
         new SupervisorAgent(
+            main.birth(),
             time,
             services.link(),
             new Supervision(
@@ -161,7 +166,7 @@ public final class MaestroPlatform implements AutoCloseable {
             .dataDirectory()
             .<HabitLog>map(directory -> new HabitFile(directory, "passages.log"))
             .orElse(HabitLog.NONE);
-    return new PersonTrackerAgent(time, services.knowledge(), name, log);
+    return new PersonTrackerAgent(main.birth(), time, services.knowledge(), name, log);
   }
 
   private SupervisorOrders orders() {
@@ -202,7 +207,7 @@ public final class MaestroPlatform implements AutoCloseable {
     memory.stories().ifPresent(stories::addListener);
     main.start(
         AgentNames.KNOWLEDGE,
-        new KnowledgeAgent(time, knowledge, services.describedBy(), habitLog()));
+        new KnowledgeAgent(main.birth(), time, knowledge, services.describedBy(), habitLog()));
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);

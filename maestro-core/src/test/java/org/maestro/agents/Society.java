@@ -23,6 +23,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
@@ -53,15 +54,17 @@ public final class Society implements AutoCloseable {
   final List<StoryEntry> story = Collections.synchronizedList(new ArrayList<>());
   public final CoordinatorAgent cca;
   private final CollectiveKnowledge knowledge = new CollectiveKnowledge(HOME, clock);
-  public final DeskAgent desk = new DeskAgent(time);
+  public final DeskAgent desk;
   private final AgentContainer container;
   private final Map<String, AgentController> controllers = new LinkedHashMap<>();
   private final int behavioursOfCca;
 
   public Society(BareJade jade) {
     container = jade.main();
+    desk = new DeskAgent(birth(), time);
     cca =
         new CoordinatorAgent(
+            birth(),
             time,
             knowledge,
             new OptimalPlanner(),
@@ -90,6 +93,11 @@ public final class Society implements AutoCloseable {
     }
   }
 
+  /** Of one agent of this society. */
+  Birth birth() {
+    return Birth.of(container);
+  }
+
   private void start(AgentContainer where, String name, MaestroAgent agent) {
     controllers.put(name, BareJade.start(where, name, agent));
   }
@@ -103,6 +111,7 @@ public final class Society implements AutoCloseable {
     ReasoningServices mind =
         new ReasoningServices(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
     return new GroupAgent(
+        birth(),
         time,
         mind,
         group,
@@ -121,7 +130,7 @@ public final class Society implements AutoCloseable {
   }
 
   public Actor add(AgentContainer where, String member, Actor.Part part) {
-    Actor actor = new Actor(time, part);
+    Actor actor = new Actor(birth(), time, part);
     start(where, member, actor);
     clock.runUntil(() -> cca.presentMembers().contains(member), LONGEST);
     return actor;
