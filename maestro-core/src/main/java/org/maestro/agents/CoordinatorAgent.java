@@ -12,6 +12,7 @@ import java.util.concurrent.ConcurrentSkipListSet;
 import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
 import org.maestro.agents.centre.HomeRules;
+import org.maestro.agents.centre.HostedReasoners;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.centre.Undoing;
@@ -28,6 +29,7 @@ import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -67,6 +69,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient Undoing undoing;
   private final transient Sayings sayings;
   private final transient HomeRules rules;
+  private final transient HostedReasoners reasoners;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
 
@@ -75,6 +78,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
    * @param past what it goes on from
    * @param dialogues what persons have said before
+   * @param reasoners of others that say which goals they want
    */
   public CoordinatorAgent(
       Birth birth,
@@ -84,7 +88,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       Story archive,
       Duration decisionTime,
       Past past,
-      Dialogues dialogues) {
+      Dialogues dialogues,
+      List<Reasoner> reasoners) {
     super(birth, time);
     this.knowledge = knowledge;
     this.recovery = past.recovery();
@@ -104,6 +109,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     this.undoing = new Undoing(this, coordinator, requests);
     this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues);
     this.rules = new HomeRules(this, knowledge.home(), requests);
+    this.reasoners = new HostedReasoners(this, knowledge, reasoners, requests);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -164,6 +170,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     requests.takeUp(recovery);
     coordinator.resume(recovery, patience(COMEBACK), requests::ended);
     rules.begin(patience(COMEBACK));
+    reasoners.begin(recovery);
   }
 
   /** The agents of another coordinator's time tell who is there, as they did then. */

@@ -17,6 +17,7 @@ import org.maestro.agents.GroupAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.PersonTrackerAgent;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.centre.HostedReasoners;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.goals.Past;
@@ -102,7 +103,8 @@ public final class MaestroPlatform implements AutoCloseable {
                     stories,
                     settings.decisionTime(),
                     before,
-                    dialogues));
+                    dialogues,
+                    HostedReasoners.found()));
     this.desk =
         new DeskAgent(
             main.birth(),

@@ -25,6 +25,7 @@ import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -60,6 +61,11 @@ public final class Society implements AutoCloseable {
   private final int behavioursOfCca;
 
   public Society(BareJade jade) {
+    this(jade, List.of());
+  }
+
+  /** One that hosts reasoners of others. */
+  Society(BareJade jade, List<Reasoner> reasoners) {
     container = jade.main();
     desk = new DeskAgent(birth(), time);
     cca =
@@ -71,7 +77,8 @@ public final class Society implements AutoCloseable {
             story::add,
             Duration.ofMillis(20),
             Past.none(),
-            new Dialogues(knowledge::home, knowledge::snapshot, clock::instant));
+            new Dialogues(knowledge::home, knowledge::snapshot, clock::instant),
+            reasoners);
     start(container, AgentNames.COORDINATOR, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
