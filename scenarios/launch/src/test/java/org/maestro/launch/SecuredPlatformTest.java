@@ -18,7 +18,10 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.content.AgentNames;
@@ -39,6 +42,7 @@ import org.maestro.sl.SlParser;
  * A secured site as processes of others meet it: who joins, who asks whom for what, and what those
  * hear who may not. The agents of the lights live in a process of their own.
  */
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 @Isolated("its time is wall time, which others beside it would take")
 class SecuredPlatformTest {
   private static final String NAME = "secured-bob";
@@ -176,6 +180,65 @@ class SecuredPlatformTest {
           .contains("prefers is private in this home, and no maestro:Permission lets tablet")
           .doesNotContain("Opera");
     }
+  }
+
+  /** Who sees which agents there are gets at nothing private by that (ADE, 3.1; A30). */
+  @Test
+  void whoSeesTheListOfAgentsReadsNoPreferences() throws Exception {
+    try (JoinedContainer technician = join("tablet")) {
+      ACLMessage list =
+          technician.ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"));
+      assertThat(list.getPerformative()).isEqualTo(ACLMessage.INFORM);
+      assertThat(list.getContent())
+          .contains("rose", "lamp-a1", "lights")
+          .doesNotContain("Opera", "prefers");
+      ACLMessage refusal = askWhatDaveLikes(technician);
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent()).doesNotContain("Opera");
+    }
+  }
+
+  /** It has the name of no registry, and is heard by nobody as one (ADE, 3.1; A23). */
+  @Test
+  void whoIsNotTheSupervisorHasNoAgentMoveAndConfiguresNone() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      for (String action : List.of("move", "configure")) {
+        ACLMessage refusal =
+            tablet.ask(
+                ACLMessage.REQUEST,
+                "lamp-a1",
+                Words.content(
+                    "perform",
+                    Words.named("action", Words.name(action)),
+                    Words.named("container", Words.name("tablet"))));
+        assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+        assertThat(refusal.getContent()).contains("Only the supervisor");
+      }
+    }
+  }
+
+  /** Agents that know each other need nobody between them (ADE, 3.1; A27). */
+  @Test
+  @Order(Integer.MAX_VALUE)
+  void callsGoOnWhenTheSupervisorIsGone() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      site.platform().endAgent(AgentNames.SUPERVISOR);
+      await()
+          .atMost(SOON)
+          .until(
+              () ->
+                  tablet
+                      .ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"))
+                      .getContent()
+                      .contains("There is no agent named supervisor"));
+      assertThat(ask(tablet, "lamp-a1", "adjustLight").getContent())
+          .doesNotContain("maestro:Permission")
+          .doesNotContain("There is no agent");
+      assertThat(ask(tablet, "rose", "goTo").getContent())
+          .contains("no maestro:Permission of the home lets tablet");
+    }
+    JavaProcess.Ended ended = goal(files, "console", "(nextTo Cup Bob)");
+    assertThat(ended.exitCode()).isEqualTo(ExitCode.DONE);
   }
 
   private static ACLMessage askWhatDaveLikes(JoinedContainer asking) {
