@@ -1,11 +1,13 @@
 package org.maestro.launch;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import jade.lang.acl.ACLMessage;
 import java.io.ByteArrayInputStream;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -28,6 +30,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.fixtures.WireTap;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
@@ -35,6 +38,9 @@ import org.maestro.platform.guard.Guard;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.Credentials;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
 import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
 
@@ -239,6 +245,44 @@ class SecuredPlatformTest {
     }
     JavaProcess.Ended ended = goal(files, "console", "(nextTo Cup Bob)");
     assertThat(ended.exitCode()).isEqualTo(ExitCode.DONE);
+  }
+
+  /** What devices say all the time, and by which password one hears it (ADE, 2 and 5; A31). */
+  @Test
+  void whoTapsTheWireOfTheBusReadsNothing() throws Exception {
+    URI bus = site.broker().orElseThrow();
+    Credentials user = SiteSecurity.open(files).password("container-lights");
+    Queue<String> heard = new ConcurrentLinkedQueue<>();
+    try (WireTap tap = new WireTap(bus.getPort())) {
+      PahoTransport listening =
+          new PahoTransport(
+              URI.create(bus.getScheme() + "://" + bus.getHost() + ":" + tap.port()), user);
+      listening.subscribe(
+          "rats/1/" + NAME + "/member/#",
+          Transport.RetainedMessages.SEND,
+          message -> heard.add(new String(message.payload(), UTF_8)));
+      listening.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              // What is retained comes of itself.
+            }
+
+            @Override
+            public void lost(String reason) {
+              // It tries again.
+            }
+          });
+      try {
+        await().atMost(SOON).until(() -> heard.stream().anyMatch(text -> text.contains("lamp")));
+      } finally {
+        listening.close();
+      }
+      assertThat(tap.bytes()).isGreaterThan(heard.stream().mapToInt(String::length).sum());
+      assertThat(heard.stream().filter(text -> text.contains("lamp"))).noneMatch(tap::hasHeard);
+      assertThat(tap.hasHeard(user.password().orElseThrow())).isFalse();
+    }
   }
 
   private static ACLMessage askWhatDaveLikes(JoinedContainer asking) {
