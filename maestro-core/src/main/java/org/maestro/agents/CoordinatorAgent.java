@@ -12,6 +12,7 @@ import java.util.concurrent.ConcurrentSkipListSet;
 import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
 import org.maestro.agents.centre.HomeRules;
+import org.maestro.agents.centre.HostedReasoners;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.centre.Undoing;
@@ -24,9 +25,11 @@ import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Journal;
+import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -66,6 +69,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient Undoing undoing;
   private final transient Sayings sayings;
   private final transient HomeRules rules;
+  private final transient HostedReasoners reasoners;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
 
@@ -74,16 +78,19 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
    * @param decisionTime simulated time that a decision takes; zero on a paced clock
    * @param past what it goes on from
    * @param dialogues what persons have said before
+   * @param reasoners of others that say which goals they want
    */
   public CoordinatorAgent(
+      Birth birth,
       AgentTime time,
       KnowledgeBase knowledge,
       Planner planner,
       Story archive,
       Duration decisionTime,
       Past past,
-      Dialogues dialogues) {
-    super(time);
+      Dialogues dialogues,
+      List<Reasoner> reasoners) {
+    super(birth, time);
     this.knowledge = knowledge;
     this.recovery = past.recovery();
     this.returns = past.returns();
@@ -102,6 +109,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     this.undoing = new Undoing(this, coordinator, requests);
     this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues);
     this.rules = new HomeRules(this, knowledge.home(), requests);
+    this.reasoners = new HostedReasoners(this, knowledge, reasoners, requests);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -162,6 +170,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     requests.takeUp(recovery);
     coordinator.resume(recovery, patience(COMEBACK), requests::ended);
     rules.begin(patience(COMEBACK));
+    reasoners.begin(recovery);
   }
 
   /** The agents of another coordinator's time tell who is there, as they did then. */

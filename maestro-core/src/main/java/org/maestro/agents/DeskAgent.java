@@ -26,6 +26,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.knowledge.KnowledgeCache;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
@@ -67,8 +68,8 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
    * One that keeps no answers to questions of scripts, of a home in which no room has an agent that
    * listens.
    */
-  public DeskAgent(AgentTime time) {
-    this(time, (answer, then) -> then.run(), room -> Optional.empty());
+  public DeskAgent(Birth birth, AgentTime time) {
+    this(birth, time, (answer, then) -> then.run(), room -> Optional.empty());
   }
 
   /**
@@ -76,8 +77,11 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
    * @param agentByRoom the agent that hears what is said in a room, by the room's name, if one does
    */
   public DeskAgent(
-      AgentTime time, AnswerLog answers, Function<String, Optional<String>> agentByRoom) {
-    super(time);
+      Birth birth,
+      AgentTime time,
+      AnswerLog answers,
+      Function<String, Optional<String>> agentByRoom) {
+    super(birth, time);
     this.answers = answers;
     this.agentByRoom = agentByRoom;
   }

@@ -34,6 +34,7 @@ import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.goals.OwnGoalRequests;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
@@ -89,8 +90,8 @@ public final class GenericAgent extends MaestroAgent {
    * @param here what its container gives to it
    * @param start what it is to be
    */
-  public GenericAgent(Surroundings here, AgentStart start) {
-    super(here.time());
+  public GenericAgent(Birth birth, Surroundings here, AgentStart start) {
+    super(birth, here.time());
     this.here = Optional.of(here);
     this.configuration = Words.print(StartWords.content(start));
   }

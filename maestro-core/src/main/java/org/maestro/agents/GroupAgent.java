@@ -24,6 +24,7 @@ import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.rooms.RoomListening;
 import org.maestro.agents.rooms.RoomSpeech;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
@@ -77,13 +78,14 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
    * @param dialogues what persons have said before
    */
   public GroupAgent(
+      Birth birth,
       AgentTime time,
       ReasoningServices mind,
       Group group,
       Story story,
       Past past,
       Dialogues dialogues) {
-    super(time);
+    super(birth, time);
     this.mind = mind;
     this.group = group;
     this.goals =

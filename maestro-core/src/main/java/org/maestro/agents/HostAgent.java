@@ -8,6 +8,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.StartWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.AgentStart;
@@ -38,8 +39,8 @@ public final class HostAgent extends MaestroAgent {
 
   private final transient Host host;
 
-  public HostAgent(AgentTime time, Host host) {
-    super(time);
+  public HostAgent(Birth birth, AgentTime time, Host host) {
+    super(birth, time);
     this.host = host;
   }
 

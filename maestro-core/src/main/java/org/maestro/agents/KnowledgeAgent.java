@@ -22,6 +22,7 @@ import org.maestro.agents.knowledge.KnowledgeSubscriptions;
 import org.maestro.agents.knowledge.Readers;
 import org.maestro.agents.knowledge.ToldFacts;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.Question;
@@ -96,19 +97,23 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   /** One that remembers no habits beyond its own end. */
   public KnowledgeAgent(
-      AgentTime time, KnowledgeBase knowledge, BiFunction<String, String, Device> describedBy) {
-    this(time, knowledge, describedBy, HabitLog.NONE);
+      Birth birth,
+      AgentTime time,
+      KnowledgeBase knowledge,
+      BiFunction<String, String, Device> describedBy) {
+    this(birth, time, knowledge, describedBy, HabitLog.NONE);
   }
 
   /**
    * @param habitLog remembers what is counted
    */
   public KnowledgeAgent(
+      Birth birth,
       AgentTime time,
       KnowledgeBase knowledge,
       BiFunction<String, String, Device> describedBy,
       HabitLog habitLog) {
-    super(time);
+    super(birth, time);
     this.knowledge = knowledge;
     this.describedBy = describedBy;
     this.habits = new Habits(knowledge, time.clock(), habitLog);

@@ -4,6 +4,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.habits.HabitLog;
@@ -30,8 +31,9 @@ public final class PersonTrackerAgent extends MaestroAgent {
    * @param name the agent's, as which source it tells what it believes
    * @param log remembers who went where
    */
-  public PersonTrackerAgent(AgentTime time, KnowledgeBase knowledge, String name, HabitLog log) {
-    super(time);
+  public PersonTrackerAgent(
+      Birth birth, AgentTime time, KnowledgeBase knowledge, String name, HabitLog log) {
+    super(birth, time);
     this.knowledge = knowledge;
     this.tracker = new PersonTracker(name, knowledge, time.clock(), log);
   }

@@ -13,6 +13,7 @@ import org.maestro.agents.device.PriceResponder;
 import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Contracts;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.CallForPrices;
 import org.maestro.coordination.api.ContractNet;
@@ -35,8 +36,8 @@ public final class PriceFair {
   private PriceFair() {}
 
   /** An agent that stands for the device; its name has to be the device's. */
-  public static MaestroAgent seller(AgentTime time, Device device) {
-    return new Seller(time, device);
+  public static MaestroAgent seller(Birth birth, AgentTime time, Device device) {
+    return new Seller(birth, time, device);
   }
 
   /** Answers calls as a generic agent does. */
@@ -47,8 +48,8 @@ public final class PriceFair {
         new PriceResponder(
             this, words -> Optional.of(view), PriceResponder.Access.OPEN, Optional.empty());
 
-    Seller(AgentTime time, Device device) {
-      super(time);
+    Seller(Birth birth, AgentTime time, Device device) {
+      super(birth, time);
       view.describedAs(device);
       view.ready(true);
     }
@@ -79,8 +80,8 @@ public final class PriceFair {
     /**
      * @param devices what they ask for is the first feature of each
      */
-    public Buyer(AgentTime time, List<Device> devices) {
-      super(time);
+    public Buyer(Birth birth, AgentTime time, List<Device> devices) {
+      super(birth, time);
       devices.forEach(device -> wanted.put(device.id(), device.features().get(0)));
     }
 

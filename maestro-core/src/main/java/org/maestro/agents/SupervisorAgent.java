@@ -15,6 +15,7 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.StartWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.supervision.AgentChanges;
 import org.maestro.agents.supervision.Containers;
@@ -56,8 +57,8 @@ public final class SupervisorAgent extends MaestroAgent {
   private final transient SupervisorOrders orders = new SupervisorOrders(this);
   private final transient RequestEnds ends = new RequestEnds(this);
 
-  public SupervisorAgent(AgentTime time, RatsLink link, Containers containers) {
-    super(time);
+  public SupervisorAgent(Birth birth, AgentTime time, RatsLink link, Containers containers) {
+    super(birth, time);
     this.link = link;
     this.containers = containers;
     this.changes = new AgentChanges(this, containers);

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import org.maestro.agents.GenericAgent;
 import org.maestro.agents.device.Host;
 import org.maestro.agents.device.Surroundings;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.supervision.Welcome;
 import org.maestro.deployment.AgentStart;
@@ -146,10 +147,11 @@ final class Deployer {
       jade.create(start);
     } else {
       elsewhere.remove(start.agent());
+      AgentContainer container = own.of(start.container());
       JadeRuntime.start(
-          own.of(start.container()),
+          container,
           start.agent(),
-          new GenericAgent(surroundings(start.agent()), start));
+          new GenericAgent(Birth.of(container), surroundings(start.agent()), start));
     }
     deployment.placed(start);
   }

@@ -27,6 +27,7 @@ import org.maestro.agents.content.Words;
 import org.maestro.agents.device.Host;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.supervision.Handover;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
@@ -138,7 +139,7 @@ public final class JoinedContainer implements AutoCloseable {
       throw new NameTakenException(name);
     }
     AgentTime time = AgentTime.of(clock);
-    DeskAgent desk = new DeskAgent(time);
+    DeskAgent desk = new DeskAgent(Birth.of(container), time);
     try {
       JadeRuntime.start(container, name + "-desk", desk);
     } catch (RuntimeException e) {
@@ -213,7 +214,7 @@ public final class JoinedContainer implements AutoCloseable {
       if (content.operator().equals(StartWords.OPERATOR)) {
         AgentStart its = StartWords.read(Words.of(content));
         Surroundings here = new Surroundings(time, link, describedBy);
-        JadeRuntime.start(home, its.agent(), new GenericAgent(here, its));
+        JadeRuntime.start(home, its.agent(), new GenericAgent(Birth.of(home), here, its));
       }
     }
     return Words.of(answer.get(0)).strings("agents");
@@ -263,13 +264,15 @@ public final class JoinedContainer implements AutoCloseable {
     CompletableFuture<Links> bus = new CompletableFuture<>();
     HostAgent host =
         new HostAgent(
+            Birth.of(home),
             time,
             new HostAgent.Host() {
               @Override
               public void begin(AgentStart start, String controller) {
                 RatsLink link = bus.join().of(controller);
                 Surroundings here = new Surroundings(time, link, describedBy);
-                JadeRuntime.start(home, start.agent(), new GenericAgent(here, start));
+                JadeRuntime.start(
+                    home, start.agent(), new GenericAgent(Birth.of(home), here, start));
               }
 
               @Override

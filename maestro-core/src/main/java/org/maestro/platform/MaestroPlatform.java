@@ -17,6 +17,7 @@ import org.maestro.agents.GroupAgent;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.PersonTrackerAgent;
 import org.maestro.agents.SupervisorAgent;
+import org.maestro.agents.centre.HostedReasoners;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.goals.Past;
@@ -95,16 +96,21 @@ public final class MaestroPlatform implements AutoCloseable {
             memory.diary()::note,
             before ->
                 new CoordinatorAgent(
+                    main.birth(),
                     time,
                     knowledge,
                     services.planner(),
                     stories,
                     settings.decisionTime(),
                     before,
-                    dialogues));
+                    dialogues,
+                    HostedReasoners.found()));
     this.desk =
         new DeskAgent(
-            time, memory.answers(), room -> knowledge.home().listener(room).map(Group::id));
+            main.birth(),
+            time,
+            memory.answers(),
+            room -> knowledge.home().listener(room).map(Group::id));
     Surroundings here =
         new Surroundings(
             time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
@@ -124,7 +130,7 @@ public final class MaestroPlatform implements AutoCloseable {
             knowledge,
             lives,
             agents,
-            group -> new GroupAgent(time, mind, group, stories, past, dialogues));
+            group -> new GroupAgent(main.birth(), time, mind, group, stories, past, dialogues));
     this.tables =
         new PlatformTables(
             agents.deployer().deployment(),
@@ -136,6 +142,7 @@ public final class MaestroPlatform implements AutoCloseable {
                     .flatMap(Device::driver));
     this.supervisor =
         new SupervisorAgent(
+            main.birth(),
             time,
             services.link(),
             new Supervision(
@@ -161,7 +168,7 @@ public final class MaestroPlatform implements AutoCloseable {
             .dataDirectory()
             .<HabitLog>map(directory -> new HabitFile(directory, "passages.log"))
             .orElse(HabitLog.NONE);
-    return new PersonTrackerAgent(time, services.knowledge(), name, log);
+    return new PersonTrackerAgent(main.birth(), time, services.knowledge(), name, log);
   }
 
   private SupervisorOrders orders() {
@@ -202,7 +209,7 @@ public final class MaestroPlatform implements AutoCloseable {
     memory.stories().ifPresent(stories::addListener);
     main.start(
         AgentNames.KNOWLEDGE,
-        new KnowledgeAgent(time, knowledge, services.describedBy(), habitLog()));
+        new KnowledgeAgent(main.birth(), time, knowledge, services.describedBy(), habitLog()));
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);

@@ -13,6 +13,7 @@ import org.maestro.agents.content.ProposalReader;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 
 /** A JADE agent in the place of a member's generic agent, which behaves as its part wants. */
@@ -100,8 +101,8 @@ public final class Actor extends MaestroAgent {
   private final transient Part part;
   private final transient List<String> heard = new ArrayList<>();
 
-  Actor(AgentTime time, Part part) {
-    super(time);
+  Actor(Birth birth, AgentTime time, Part part) {
+    super(birth, time);
     this.part = part;
   }
 

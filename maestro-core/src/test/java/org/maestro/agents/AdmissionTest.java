@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.Hearing;
 
@@ -37,7 +38,7 @@ class AdmissionTest {
   @BeforeEach
   void gather() {
     society = STAGE.society();
-    guest = new Guest(society.time);
+    guest = new Guest(society.birth(), society.time);
     society.start("guest", guest);
   }
 
@@ -194,8 +195,8 @@ class AdmissionTest {
         Collections.synchronizedList(new ArrayList<>());
     private transient Consumer<ACLMessage> answer = message -> {};
 
-    Guest(AgentTime time) {
-      super(time);
+    Guest(Birth birth, AgentTime time) {
+      super(birth, time);
     }
 
     @Override

@@ -83,7 +83,8 @@ class GroupAgentTest {
     society.seen("(not (greeted Bob))");
     society.pass(Duration.ofSeconds(5));
     assertThat(society.told()).contains("its agent has ended");
-    society.start("usher", new Actor(society.time, living(THERE, Duration.ofSeconds(1))));
+    society.start(
+        "usher", new Actor(society.birth(), society.time, living(THERE, Duration.ofSeconds(1))));
     keeper.agentBegins("usher");
     society.await(() -> done.contains(THERE), SOON);
 
@@ -94,7 +95,8 @@ class GroupAgentTest {
   private void anotherUsher(String life, Runnable told) {
     told.run();
     society.kill("usher");
-    society.start("usher", new Actor(society.time, living(life, Duration.ofSeconds(1))));
+    society.start(
+        "usher", new Actor(society.birth(), society.time, living(life, Duration.ofSeconds(1))));
     keeper.agentBegins("usher");
   }
 

@@ -239,6 +239,7 @@ class OrdersMisconductTest {
     society.start(
         "usher",
         new Actor(
+            society.birth(),
             society.time,
             Actor.Part.onOrder(
                 (actor, order) -> {

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.Contracts;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.ProtocolTimeouts;
 import org.maestro.coordination.api.CallForPrices;
@@ -47,7 +48,7 @@ class PacedRoundTest {
     try (BareJade jade = new BareJade("paced-round", files);
         PacedClock clock = new PacedClock(SPEED)) {
       jade.main().acceptNewAgent("usher", new Silent(heard)).start();
-      Asking asking = new Asking(AgentTime.of(clock, patience));
+      Asking asking = new Asking(jade.birth(), AgentTime.of(clock, patience));
       BareJade.start(jade.main(), "asking", asking);
       Duration begin = clock.now();
       long sent = System.currentTimeMillis();
@@ -84,8 +85,8 @@ class PacedRoundTest {
   private static final class Asking extends MaestroAgent {
     private static final long serialVersionUID = 1L;
 
-    Asking(AgentTime time) {
-      super(time);
+    Asking(Birth birth, AgentTime time) {
+      super(birth, time);
     }
 
     CompletableFuture<ContractNet.Round> ask(String member) {

@@ -23,7 +23,9 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.goals.Past;
 import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -53,22 +55,30 @@ public final class Society implements AutoCloseable {
   final List<StoryEntry> story = Collections.synchronizedList(new ArrayList<>());
   public final CoordinatorAgent cca;
   private final CollectiveKnowledge knowledge = new CollectiveKnowledge(HOME, clock);
-  public final DeskAgent desk = new DeskAgent(time);
+  public final DeskAgent desk;
   private final AgentContainer container;
   private final Map<String, AgentController> controllers = new LinkedHashMap<>();
   private final int behavioursOfCca;
 
   public Society(BareJade jade) {
+    this(jade, List.of());
+  }
+
+  /** One that hosts reasoners of others. */
+  Society(BareJade jade, List<Reasoner> reasoners) {
     container = jade.main();
+    desk = new DeskAgent(birth(), time);
     cca =
         new CoordinatorAgent(
+            birth(),
             time,
             knowledge,
             new OptimalPlanner(),
             story::add,
             Duration.ofMillis(20),
             Past.none(),
-            new Dialogues(knowledge::home, knowledge::snapshot, clock::instant));
+            new Dialogues(knowledge::home, knowledge::snapshot, clock::instant),
+            reasoners);
     start(container, AgentNames.COORDINATOR, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
@@ -90,6 +100,11 @@ public final class Society implements AutoCloseable {
     }
   }
 
+  /** Of one agent of this society. */
+  Birth birth() {
+    return Birth.of(container);
+  }
+
   private void start(AgentContainer where, String name, MaestroAgent agent) {
     controllers.put(name, BareJade.start(where, name, agent));
   }
@@ -103,6 +118,7 @@ public final class Society implements AutoCloseable {
     ReasoningServices mind =
         new ReasoningServices(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
     return new GroupAgent(
+        birth(),
         time,
         mind,
         group,
@@ -121,7 +137,7 @@ public final class Society implements AutoCloseable {
   }
 
   public Actor add(AgentContainer where, String member, Actor.Part part) {
-    Actor actor = new Actor(time, part);
+    Actor actor = new Actor(birth(), time, part);
     start(where, member, actor);
     clock.runUntil(() -> cca.presentMembers().contains(member), LONGEST);
     return actor;

@@ -4,6 +4,7 @@ import jade.wrapper.AgentContainer;
 import jade.wrapper.AgentController;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.jade.ContainerEnds;
@@ -49,6 +50,16 @@ public final class BareJade implements AutoCloseable {
         container,
         files,
         new JadeRuntime.Entry(guard, false));
+  }
+
+  /** Where JADE writes. */
+  public Path files() {
+    return files;
+  }
+
+  /** Of one agent. */
+  public Birth birth() {
+    return Birth.of(main);
   }
 
   public static AgentController start(AgentContainer container, String name, MaestroAgent agent) {

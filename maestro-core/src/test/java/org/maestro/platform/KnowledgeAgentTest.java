@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.Source;
@@ -54,8 +55,9 @@ class KnowledgeAgentTest {
     JadeRuntime.start(
         main,
         AgentNames.KNOWLEDGE,
-        new KnowledgeAgent(time, knowledge, (text, member) -> home.devices().get(member)));
-    guest = new Guest(time);
+        new KnowledgeAgent(
+            Birth.of(main), time, knowledge, (text, member) -> home.devices().get(member)));
+    guest = new Guest(Birth.of(main), time);
     JadeRuntime.start(main, "guest", guest);
   }
 
@@ -220,8 +222,8 @@ class KnowledgeAgentTest {
     private static final long serialVersionUID = 1L;
     private final transient List<String> heard = Collections.synchronizedList(new ArrayList<>());
 
-    Guest(AgentTime time) {
-      super(time);
+    Guest(Birth birth, AgentTime time) {
+      super(birth, time);
     }
 
     @Override

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.Source;
@@ -51,11 +52,14 @@ class PrivateFactsTest {
         jade.main(),
         AgentNames.KNOWLEDGE,
         new KnowledgeAgent(
-            AgentTime.of(clock), knowledge, (description, member) -> home.devices().get(member)));
+            jade.birth(),
+            AgentTime.of(clock),
+            knowledge,
+            (description, member) -> home.devices().get(member)));
   }
 
   private Guest guest(String name) {
-    Guest guest = new Guest(AgentTime.of(clock));
+    Guest guest = new Guest(jade.birth(), AgentTime.of(clock));
     BareJade.start(jade.main(), name, guest);
     return guest;
   }
@@ -177,8 +181,8 @@ class PrivateFactsTest {
     private static final long serialVersionUID = 1L;
     private final transient List<String> heard = Collections.synchronizedList(new ArrayList<>());
 
-    Guest(AgentTime time) {
-      super(time);
+    Guest(Birth birth, AgentTime time) {
+      super(birth, time);
     }
 
     @Override

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.fixtures.Share;
 import org.maestro.platform.jade.ContainerEnds;
@@ -115,11 +116,12 @@ class SteppedAgentsTest {
     List<AgentController> agents = new ArrayList<>();
     List<AID> bidders = new ArrayList<>();
     for (int i = 0; i < 3; i++) {
-      Bidder bidder = new Bidder(time, "bidder" + i, new Random(seed * 31 + i), log);
+      Bidder bidder =
+          new Bidder(Birth.of(main), time, "bidder" + i, new Random(seed * 31 + i), log);
       agents.add(JadeRuntime.start(i == 0 ? main : second, "r" + number + "b" + i, bidder));
       bidders.add(bidder.getAID());
     }
-    Caller caller = new Caller(time, bidders, log);
+    Caller caller = new Caller(Birth.of(main), time, bidders, log);
     agents.add(JadeRuntime.start(main, "r" + number + "caller", caller));
     caller.tell(caller::nextRound);
 
@@ -138,8 +140,8 @@ class SteppedAgentsTest {
     private final transient List<String> log;
     private volatile int rounds = 1;
 
-    Caller(AgentTime time, List<AID> bidders, List<String> log) {
-      super(time);
+    Caller(Birth birth, AgentTime time, List<AID> bidders, List<String> log) {
+      super(birth, time);
       this.bidders = bidders;
       this.log = log;
     }
@@ -202,8 +204,8 @@ class SteppedAgentsTest {
     private final transient Random random;
     private final transient List<String> log;
 
-    Bidder(AgentTime time, String label, Random random, List<String> log) {
-      super(time);
+    Bidder(Birth birth, AgentTime time, String label, Random random, List<String> log) {
+      super(birth, time);
       this.label = label;
       this.random = random;
       this.log = log;

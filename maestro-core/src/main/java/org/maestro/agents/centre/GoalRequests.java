@@ -81,6 +81,11 @@ public final class GoalRequests {
         outcome -> endings.ended(rule.goal(), outcome));
   }
 
+  /** Takes on what is wanted by one who is no agent, and hears of its end by its story. */
+  void want(GoalRequest request) {
+    coordinator.submit(request, outcome -> endings.ended(request.goal(), outcome));
+  }
+
   /** One of them has come to its end. */
   public void ended(GoalOutcome outcome) {
     endings.ended(takenUp.remove(outcome.id()), outcome);

@@ -30,6 +30,7 @@ public final class ProcessPulse {
   /** Nobody answers any more: the platform has ended, or another main container has taken over. */
   private static final int LEASES_UNTIL_ORPHANED = 2;
 
+  private final ProcessSession session = new ProcessSession();
   private final List<OwnPulse> containers = new CopyOnWriteArrayList<>();
   private final AtomicBoolean onItsWay = new AtomicBoolean();
   private volatile Optional<Beating> beating = Optional.empty();
@@ -46,6 +47,11 @@ public final class ProcessPulse {
     Duration now() {
       return clock.toWall(clock.now());
     }
+  }
+
+  /** The session of the process with the main container. */
+  ProcessSession session() {
+    return session;
   }
 
   /** From now on the signs of life speak of this container too. */

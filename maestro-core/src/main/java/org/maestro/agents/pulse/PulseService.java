@@ -23,6 +23,7 @@ import jade.core.management.AgentManagementSlice;
 import jade.mtp.TransportAddress;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -46,11 +47,15 @@ public final class PulseService extends BaseService {
   private final PulseSlice slice = new Local();
   private final Filter nodes = new Nodes();
   private final Filter silence = new Silence();
+  private final Sessions sessions = new Sessions(new Others(), LOG::warn);
   private volatile Optional<ContainerWatch> watch = Optional.empty();
 
   // JADE makes a service by its class name, and says where it is before anything uses it.
   @SuppressWarnings("NullAway.Init")
   private volatile OwnPulse own;
+
+  @SuppressWarnings("NullAway.Init")
+  private volatile ProcessSession session;
 
   @SuppressWarnings("NullAway.Init")
   private volatile AgentContainer container;
@@ -69,6 +74,7 @@ public final class PulseService extends BaseService {
                 && all.getProperties().get(ProcessPulse.KEY) instanceof ProcessPulse shared
             ? shared
             : new ProcessPulse();
+    session = pulse.session();
     own = new OwnPulse(pulse, new Road());
   }
 
@@ -119,7 +125,15 @@ public final class PulseService extends BaseService {
       if (main == null) {
         throw new ServiceException("There is no main container");
       }
-      return main.beat(beat);
+      try {
+        if (session.name().isEmpty()) {
+          main.begin(container(), session.await());
+        }
+        return session.confirmed(main.beat(session.seal(beat)));
+      } catch (IMTPException | IllegalArgumentException e) {
+        session.end();
+        throw e;
+      }
     }
 
     @Override
@@ -152,11 +166,27 @@ public final class PulseService extends BaseService {
   }
 
   private String heard(String text) {
-    Beat beat = Beat.read(text);
-    return watch
-        .map(watching -> watching.heard(beat, joined()))
-        .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), List.of()))
-        .write();
+    Sealed sealed = sessions.heard(text);
+    Beat beat = Beat.read(sealed.text());
+    Confirmation confirmation =
+        watch
+            .map(watching -> heard(watching, sealed, beat))
+            .orElseGet(() -> Confirmation.of(HeartbeatSettings.standard(), List.of()));
+    return sessions.confirm(sealed, confirmation.write());
+  }
+
+  private Confirmation heard(ContainerWatch watching, Sealed sealed, Beat beat) {
+    Set<String> joined = joined();
+    Map<Boolean, List<Beat.Living>> byJoined =
+        beat.containers().stream()
+            .collect(Collectors.partitioningBy(living -> joined.contains(living.name())));
+    // Who is none of the platform's is only told so.
+    List<Beat.Living> heard =
+        Stream.concat(
+                sessions.own(sealed, byJoined.getOrDefault(true, List.of())).stream(),
+                byJoined.getOrDefault(false, List.of()).stream())
+            .toList();
+    return watching.heard(new Beat(heard, beat.silences()), joined);
   }
 
   /** A platform that has taken over does not know the containers of the one before it. */
@@ -208,7 +238,7 @@ public final class PulseService extends BaseService {
         if (there == null) {
           throw new IllegalStateException("There is no container " + name + " any more");
         }
-        there.end(agent);
+        there.end(sessions.order(name, agent));
       } catch (ServiceException | IMTPException e) {
         throw new IllegalStateException("The container " + name + " cannot be asked", e);
       }
@@ -251,6 +281,36 @@ public final class PulseService extends BaseService {
     }
   }
 
+  /** The containers of the platform, by their parts of this service. */
+  private final class Others implements Sessions.Containers {
+    @Override
+    public void tell(String name, String request, String key) {
+      try {
+        slice(name).key(request, key);
+      } catch (ServiceException | IMTPException e) {
+        throw new IllegalArgumentException("The container " + name + " takes no key", e);
+      }
+    }
+
+    @Override
+    public String session(String name) {
+      try {
+        return slice(name).session();
+      } catch (ServiceException | IMTPException e) {
+        LOG.debug("The container {} cannot be asked for its session", name, e);
+        return "";
+      }
+    }
+
+    private PulseSlice slice(String name) throws ServiceException {
+      PulseSlice there = (PulseSlice) getSlice(name);
+      if (there == null) {
+        throw new ServiceException("There is no container " + name);
+      }
+      return there;
+    }
+  }
+
   /** JADE tells of each container that ends, also with its process. */
   private final class Nodes extends Filter {
     @Override
@@ -283,22 +343,33 @@ public final class PulseService extends BaseService {
 
     @Override
     public @Nullable VerticalCommand serve(HorizontalCommand command) {
-      if (command.getName().equals(END)) {
-        try {
-          takeOut((String) command.getParam(0));
-        } catch (IllegalStateException e) {
-          command.setReturnValue(e);
-        }
-      }
-      if (command.getName().equals(BEAT)) {
-        try {
-          command.setReturnValue(heard((String) command.getParam(0)));
-        } catch (IllegalArgumentException e) {
-          LOG.debug("A sign of life cannot be read", e);
-          command.setReturnValue(e);
-        }
+      try {
+        command.setReturnValue(answer(command));
+      } catch (IllegalStateException | IllegalArgumentException e) {
+        LOG.debug("What the heartbeats of another container ask is refused", e);
+        command.setReturnValue(e);
       }
       return null;
+    }
+
+    private @Nullable Object answer(HorizontalCommand command) {
+      switch (command.getName()) {
+        case BEAT:
+          return beat((String) command.getParam(0));
+        case SESSION:
+          return session();
+        case END:
+          end((String) command.getParam(0));
+          return null;
+        case BEGIN:
+          begin((String) command.getParam(0), (String) command.getParam(1));
+          return null;
+        case KEY:
+          key((String) command.getParam(0), (String) command.getParam(1));
+          return null;
+        default:
+          return null;
+      }
     }
 
     @Override
@@ -307,8 +378,31 @@ public final class PulseService extends BaseService {
     }
 
     @Override
-    public void end(String agent) {
-      takeOut(agent);
+    public void end(String order) {
+      try {
+        takeOut(session.ordered(order));
+      } catch (IllegalArgumentException e) {
+        LOG.warn(
+            "Somebody wanted to have an agent taken out of {}: {}",
+            container.getID().getName(),
+            e.getMessage());
+        throw e;
+      }
+    }
+
+    @Override
+    public void begin(String its, String request) {
+      sessions.begin(its, request);
+    }
+
+    @Override
+    public void key(String request, String key) {
+      session.begin(request, key);
+    }
+
+    @Override
+    public String session() {
+      return session.name().orElse("");
     }
   }
 }

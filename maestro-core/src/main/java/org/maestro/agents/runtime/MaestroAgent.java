@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.maestro.agents.content.Admission;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Replies;
@@ -50,16 +51,29 @@ public abstract class MaestroAgent extends Agent {
   @SuppressWarnings("NullAway.Init")
   private transient volatile TicketedQueue queue;
 
+  /** Null when JADE has made it, or brought it from another container. */
+  private final transient @Nullable Birth birth;
+
   private transient volatile boolean forsaken;
   private transient volatile Optional<Pulse> pulse = Optional.empty();
 
-  protected MaestroAgent(AgentTime time) {
+  /**
+   * @param birth attested by a container of the platform in which it is to live
+   * @throws IllegalStateException when another agent has had that birth
+   */
+  protected MaestroAgent(Birth birth, AgentTime time) {
+    this.birth = Birth.taken(birth);
     equip(time);
   }
 
-  /** Made by JADE: it is equipped by the container in which it begins. */
+  /**
+   * Made by JADE: it is equipped by the container in which it begins.
+   *
+   * @throws IllegalStateException when anybody else makes it
+   */
   protected MaestroAgent() {
-    // What it works with is got when JADE has told it where it is.
+    Birth.requireMadeByJade(this);
+    birth = null;
   }
 
   private void equip(AgentTime time) {
@@ -75,7 +89,10 @@ public abstract class MaestroAgent extends Agent {
 
   /** The first thing that JADE has an agent do in a container. */
   @Override
-  protected MessageQueue createMessageQueue() {
+  protected final MessageQueue createMessageQueue() {
+    if (birth != null) {
+      birth.requirePlatform(getHap());
+    }
     if (equipment == null) {
       equip(timeHere());
     }

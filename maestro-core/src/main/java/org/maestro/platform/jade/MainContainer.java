@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.maestro.agents.device.Host;
 import org.maestro.agents.device.Surroundings;
 import org.maestro.agents.lives.AgentLives;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.Directory;
 import org.maestro.platform.guard.Guard;
@@ -92,6 +93,11 @@ public final class MainContainer {
   /** Begins and ends agents of all containers by their names. */
   public AgentsByName agentsByName() {
     return new AgentsByName(platform, host, agent -> directory.find(agent).isPresent());
+  }
+
+  /** Attests the birth of an agent of this platform. */
+  public Birth birth() {
+    return Birth.of(container);
   }
 
   /** Starts an agent in it; see {@link JadeRuntime#start}. */

@@ -17,6 +17,7 @@ import org.maestro.agents.KnowledgeAgent;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.Source;
@@ -51,8 +52,9 @@ class KnowledgeCacheTest {
     BareJade.start(
         jade.main(),
         AgentNames.KNOWLEDGE,
-        new KnowledgeAgent(time, knowledge, (text, member) -> home.devices().get(member)));
-    reader = new Reader(time);
+        new KnowledgeAgent(
+            jade.birth(), time, knowledge, (text, member) -> home.devices().get(member)));
+    reader = new Reader(jade.birth(), time);
     BareJade.start(jade.join("elsewhere"), "reader", reader);
   }
 
@@ -128,8 +130,8 @@ class KnowledgeCacheTest {
     private static final long serialVersionUID = 1L;
     private final transient KnowledgeCache cache = new KnowledgeCache(this, MOST);
 
-    Reader(AgentTime time) {
-      super(time);
+    Reader(Birth birth, AgentTime time) {
+      super(birth, time);
     }
 
     @Override

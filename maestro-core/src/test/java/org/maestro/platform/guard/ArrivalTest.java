@@ -13,10 +13,14 @@ import jade.tools.DummyAgent.DummyAgent;
 import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Hashtable;
@@ -29,6 +33,7 @@ import java.util.TreeMap;
 import java.util.Vector;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javax.swing.event.EventListenerList;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -38,8 +43,16 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
+import net.jqwik.api.lifecycle.AfterContainer;
+import net.jqwik.api.lifecycle.BeforeContainer;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.device.Surroundings;
+import org.maestro.agents.runtime.AgentTime;
+import org.maestro.deployment.AgentStart;
 import org.maestro.fixtures.Gadgets;
+import org.maestro.platform.BareJade;
+import org.maestro.rats.link.RatsLink;
+import org.maestro.rats.time.SteppedClock;
 
 /** Which agents may arrive from another container, and how long one that is none takes at most. */
 class ArrivalTest {
@@ -64,9 +77,42 @@ class ArrivalTest {
           inner -> new File("/"),
           inner -> new EventListenerList());
 
+  private static BareJade jade;
+
+  @BeforeContainer
+  static void start() throws IOException {
+    jade = new BareJade("arrivals", Files.createTempDirectory("maestro-arrivals"));
+  }
+
+  @AfterContainer
+  static void end() throws IOException {
+    jade.close();
+    try (Stream<Path> left = Files.walk(jade.files())) {
+      left.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
+    }
+  }
+
+  /** One that has not begun anywhere. */
+  private static GenericAgent agent() {
+    Surroundings here =
+        new Surroundings(
+            AgentTime.of(new SteppedClock()),
+            (RatsLink)
+                Proxy.newProxyInstance(
+                    ArrivalTest.class.getClassLoader(),
+                    new Class<?>[] {RatsLink.class},
+                    (proxy, method, arguments) -> {
+                      throw new AssertionError("It does not act: " + method);
+                    }),
+            (description, member) -> {
+              throw new AssertionError("It reads nothing: " + description);
+            });
+    return new GenericAgent(jade.birth(), here, AgentStart.of("lamp-1", "lights"));
+  }
+
   @Example
   void aGenericAgentArrives() throws Exception {
-    assertThat(Arrival.of(Gadgets.bytes(new GenericAgent()))).isInstanceOf(GenericAgent.class);
+    assertThat(Arrival.of(Gadgets.bytes(agent()))).isInstanceOf(GenericAgent.class);
   }
 
   @Example
@@ -121,7 +167,7 @@ class ArrivalTest {
       @ForAll @Size(min = 1, max = 8) List<@IntRange(min = 0, max = 1_000_000) Integer> places,
       @ForAll byte other)
       throws Exception {
-    byte[] changed = Gadgets.bytes(new GenericAgent());
+    byte[] changed = Gadgets.bytes(agent());
     for (int place : places) {
       changed[place % changed.length] = other;
     }
@@ -130,7 +176,7 @@ class ArrivalTest {
 
   @Example
   void noNumberInAnAgentMakesItTakeMuchMemory() throws Exception {
-    byte[] agent = Gadgets.bytes(new GenericAgent());
+    byte[] agent = Gadgets.bytes(agent());
     for (int place = 0; place + Integer.BYTES <= agent.length; place++) {
       for (int number : new int[] {10_000_000, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
         byte[] changed = agent.clone();
@@ -144,7 +190,7 @@ class ArrivalTest {
 
   @Example
   void noOtherSpellingOfAFieldDoes() throws Exception {
-    GenericAgent agent = new GenericAgent();
+    GenericAgent agent = agent();
     agent.setEnabledO2ACommunication(true, 10_000);
     byte[] plain = Gadgets.bytes(agent);
     assertThat(Arrival.of(plain)).isInstanceOf(GenericAgent.class);

@@ -1,5 +1,6 @@
 package org.maestro.platform.guard;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.fixtures.WireTap;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 
@@ -32,6 +34,7 @@ import org.maestro.rats.security.SiteSecurity;
 class GateTest {
   private static final String LOOPBACK = "127.0.0.1";
   private static final int BACKLOG = 50;
+  private static final String PREFERENCE = "(prefers dave-evenings Opera)";
   private static final Duration SOON = Duration.ofSeconds(30);
 
   @TempDir static Path directory;
@@ -60,6 +63,35 @@ class GateTest {
       robots.getOutputStream().flush();
       assertThat(there.getInputStream().read()).isEqualTo(7);
     }
+  }
+
+  /** What agents tell each other of persons, and what lets a container in (ADE, 2 and 5; A31). */
+  @Test
+  void whoTapsTheWireBetweenContainersReadsNothing() throws Exception {
+    String token = Files.readString(site.resolve("users/container-robots/join-token")).strip();
+    try (WireTap tap = new WireTap(gate.getLocalPort());
+        Socket robots = guard(site, "container-robots").call(LOOPBACK, tap.port());
+        Socket there = gate.accept()) {
+      assertThat(said(robots, there)).isEqualTo(PREFERENCE);
+      assertThat(said(there, robots)).isEqualTo(PREFERENCE);
+      assertThat(tap.bytes()).isGreaterThan(2 * PREFERENCE.length() + token.length());
+      assertThat(tap.hasHeard(PREFERENCE)).isFalse();
+      assertThat(token).isNotBlank();
+      assertThat(tap.hasHeard(token)).isFalse();
+    }
+    try (ServerSocket open = new ServerSocket(0, BACKLOG, InetAddress.getByName(LOOPBACK));
+        WireTap tap = new WireTap(open.getLocalPort());
+        Socket robots = new Socket(LOOPBACK, tap.port());
+        Socket there = open.accept()) {
+      assertThat(said(robots, there)).isEqualTo(PREFERENCE);
+      assertThat(tap.hasHeard(PREFERENCE)).as("where nothing is sealed it is read").isTrue();
+    }
+  }
+
+  private static String said(Socket from, Socket to) throws IOException {
+    from.getOutputStream().write(PREFERENCE.getBytes(UTF_8));
+    from.getOutputStream().flush();
+    return new String(to.getInputStream().readNBytes(PREFERENCE.length()), UTF_8);
   }
 
   @Test

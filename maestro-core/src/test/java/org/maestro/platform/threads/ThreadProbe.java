@@ -60,9 +60,9 @@ final class ThreadProbe {
         BareJade.start(
             jade.main(),
             "agent-" + number,
-            new GenericAgent(here, AgentStart.of("agent-" + number, "topic")));
+            new GenericAgent(jade.birth(), here, AgentStart.of("agent-" + number, "topic")));
       }
-      DeskAgent desk = new DeskAgent(AgentTime.of(clock));
+      DeskAgent desk = new DeskAgent(jade.birth(), AgentTime.of(clock));
       BareJade.start(jade.main(), "desk", desk);
       AtomicReference<Thread> ofDesk = new AtomicReference<>();
       CountDownLatch told = new CountDownLatch(1);

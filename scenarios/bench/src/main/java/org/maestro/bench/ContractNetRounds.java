@@ -22,6 +22,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.maestro.agents.PriceFair;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.assembly.SiteException;
 import org.maestro.ontology.home.Device;
@@ -92,9 +93,9 @@ public record ContractNetRounds(int agents, double ours, double plain) {
   private static Rounds ours(AgentContainer container, List<Device> devices, AgentTime time)
       throws StaleProxyException {
     for (Device device : devices) {
-      start(container, device.id(), PriceFair.seller(time, device));
+      start(container, device.id(), PriceFair.seller(Birth.of(container), time, device));
     }
-    PriceFair.Buyer buyer = new PriceFair.Buyer(time, devices);
+    PriceFair.Buyer buyer = new PriceFair.Buyer(Birth.of(container), time, devices);
     start(container, "buyer", buyer);
     return buyer::round;
   }

@@ -1,8 +1,11 @@
 package org.maestro.architecture;
 
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
@@ -10,6 +13,7 @@ import com.tngtech.archunit.lang.ArchRule;
 import jade.core.Agent;
 import java.util.Arrays;
 import org.maestro.agents.GenericAgent;
+import org.maestro.agents.runtime.MaestroAgent;
 
 /** Who may know whom. The reasons stand in docs/decisions/0002-package-rules.md. */
 @AnalyzeClasses(packages = "org.maestro", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -112,6 +116,48 @@ class PackageRulesTest {
           .should()
           .dependOnClassesThat()
           .haveFullyQualifiedName("org.maestro.agents.device.MemberProxy");
+
+  /**
+   * Bookkeeping and credentials of all agents are kept in one place, whatever they do (ADE, 3.1;
+   * A19). What our agents are measured against derives from JADE's.
+   */
+  @ArchTest
+  static final ArchRule ALL_AGENTS_HAVE_ONE_BASE =
+      classes()
+          .that()
+          .areAssignableTo(Agent.class)
+          .and()
+          .resideOutsideOfPackage("org.maestro.bench")
+          .should()
+          .beAssignableTo(MaestroAgent.class);
+
+  @ArchTest
+  static final ArchRule THE_BASE_OF_AGENTS_SHOWS_NO_FIELD =
+      fields().that().areDeclaredIn(MaestroAgent.class).should().bePrivate();
+
+  /** Nobody gets round what lets others in by overriding it (ADE, 3.1; A22). */
+  @ArchTest
+  static final ArchRule WHAT_LETS_OTHERS_IN_CANNOT_BE_DERIVED_FROM =
+      classes()
+          .that()
+          .resideInAnyPackage(
+              "org.maestro.agents.supervision",
+              "org.maestro.agents.pulse",
+              "org.maestro.platform.guard")
+          .or()
+          .haveNameMatching("org\\.maestro\\.agents\\.(Supervisor|Host|Knowledge)Agent")
+          .or()
+          .haveNameMatching("org\\.maestro\\.platform\\.(Supervision|Deployer|Arrivals)")
+          .or()
+          .haveNameMatching("org\\.maestro\\.agents\\.device\\.(Rights|RequestGuard)")
+          .or()
+          .haveFullyQualifiedName("org.maestro.agents.runtime.Birth")
+          .or()
+          .haveFullyQualifiedName("org.maestro.ontology.home.AccessList")
+          .and()
+          .areNotInterfaces()
+          .should()
+          .haveModifier(JavaModifier.FINAL);
 
   @ArchTest
   static final ArchRule JADE_STAYS_IN_PLATFORM_AND_AGENTS =

@@ -1,11 +1,13 @@
 package org.maestro.launch;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import jade.lang.acl.ACLMessage;
 import java.io.ByteArrayInputStream;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -18,13 +20,17 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
+import org.maestro.fixtures.WireTap;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
@@ -32,6 +38,9 @@ import org.maestro.platform.guard.Guard;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.time.PacedClock;
+import org.maestro.rats.transport.Credentials;
+import org.maestro.rats.transport.PahoTransport;
+import org.maestro.rats.transport.Transport;
 import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
 
@@ -39,6 +48,7 @@ import org.maestro.sl.SlParser;
  * A secured site as processes of others meet it: who joins, who asks whom for what, and what those
  * hear who may not. The agents of the lights live in a process of their own.
  */
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 @Isolated("its time is wall time, which others beside it would take")
 class SecuredPlatformTest {
   private static final String NAME = "secured-bob";
@@ -175,6 +185,103 @@ class SecuredPlatformTest {
       assertThat(refusal.getContent())
           .contains("prefers is private in this home, and no maestro:Permission lets tablet")
           .doesNotContain("Opera");
+    }
+  }
+
+  /** Who sees which agents there are gets at nothing private by that (ADE, 3.1; A30). */
+  @Test
+  void whoSeesTheListOfAgentsReadsNoPreferences() throws Exception {
+    try (JoinedContainer technician = join("tablet")) {
+      ACLMessage list =
+          technician.ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"));
+      assertThat(list.getPerformative()).isEqualTo(ACLMessage.INFORM);
+      assertThat(list.getContent())
+          .contains("rose", "lamp-a1", "lights")
+          .doesNotContain("Opera", "prefers");
+      ACLMessage refusal = askWhatDaveLikes(technician);
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent()).doesNotContain("Opera");
+    }
+  }
+
+  /** It has the name of no registry, and is heard by nobody as one (ADE, 3.1; A23). */
+  @Test
+  void whoIsNotTheSupervisorHasNoAgentMoveAndConfiguresNone() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      for (String action : List.of("move", "configure")) {
+        ACLMessage refusal =
+            tablet.ask(
+                ACLMessage.REQUEST,
+                "lamp-a1",
+                Words.content(
+                    "perform",
+                    Words.named("action", Words.name(action)),
+                    Words.named("container", Words.name("tablet"))));
+        assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+        assertThat(refusal.getContent()).contains("Only the supervisor");
+      }
+    }
+  }
+
+  /** Agents that know each other need nobody between them (ADE, 3.1; A27). */
+  @Test
+  @Order(Integer.MAX_VALUE)
+  void callsGoOnWhenTheSupervisorIsGone() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      site.platform().endAgent(AgentNames.SUPERVISOR);
+      await()
+          .atMost(SOON)
+          .until(
+              () ->
+                  tablet
+                      .ask(ACLMessage.QUERY_REF, AgentNames.SUPERVISOR, Words.content("query-ref"))
+                      .getContent()
+                      .contains("There is no agent named supervisor"));
+      assertThat(ask(tablet, "lamp-a1", "adjustLight").getContent())
+          .doesNotContain("maestro:Permission")
+          .doesNotContain("There is no agent");
+      assertThat(ask(tablet, "rose", "goTo").getContent())
+          .contains("no maestro:Permission of the home lets tablet");
+    }
+    JavaProcess.Ended ended = goal(files, "console", "(nextTo Cup Bob)");
+    assertThat(ended.exitCode()).isEqualTo(ExitCode.DONE);
+  }
+
+  /** What devices say all the time, and by which password one hears it (ADE, 2 and 5; A31). */
+  @Test
+  void whoTapsTheWireOfTheBusReadsNothing() throws Exception {
+    URI bus = site.broker().orElseThrow();
+    Credentials user = SiteSecurity.open(files).password("container-lights");
+    Queue<String> heard = new ConcurrentLinkedQueue<>();
+    try (WireTap tap = new WireTap(bus.getPort())) {
+      PahoTransport listening =
+          new PahoTransport(
+              URI.create(bus.getScheme() + "://" + bus.getHost() + ":" + tap.port()), user);
+      listening.subscribe(
+          "rats/1/" + NAME + "/member/#",
+          Transport.RetainedMessages.SEND,
+          message -> heard.add(new String(message.payload(), UTF_8)));
+      listening.open(
+          Optional.empty(),
+          new Transport.ConnectionListener() {
+            @Override
+            public void connected() {
+              // What is retained comes of itself.
+            }
+
+            @Override
+            public void lost(String reason) {
+              // It tries again.
+            }
+          });
+      try {
+        await().atMost(SOON).until(() -> heard.stream().anyMatch(text -> text.contains("lamp")));
+      } finally {
+        listening.close();
+      }
+      assertThat(tap.bytes()).isGreaterThan(heard.stream().mapToInt(String::length).sum());
+      assertThat(heard.stream().filter(text -> text.contains("lamp"))).noneMatch(tap::hasHeard);
+      assertThat(tap.hasHeard(user.password().orElseThrow())).isFalse();
     }
   }
 
