@@ -57,6 +57,7 @@ import org.maestro.knowledge.rdf.Graphs;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Term;
@@ -92,6 +93,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Conclusions conclusions = new Conclusions();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
+  private final SpokenPoints spoken = new SpokenPoints();
   private final Ageing ageing;
   private volatile World world;
   private long serial;
@@ -227,6 +229,54 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           devices.remove(new Graphs(world.home()), group);
           return tellOf(group, before);
         });
+  }
+
+  @Override
+  public void admit(NamedPoints points) {
+    guarded(
+        () -> {
+          World before = world;
+          NamedPoints coming = spoken.come(points, before.home());
+          return coming.isEmpty() ? unchanged(HOME) : changed(coming.in(before.home()));
+        });
+  }
+
+  @Override
+  public void dismiss(NamedPoints points) {
+    guarded(
+        () -> {
+          NamedPoints going = spoken.go(points);
+          if (going.isEmpty()) {
+            return unchanged(HOME);
+          }
+          write(
+              new Voice(HOME, 1),
+              (draft, positions) -> {
+                going.points().stream()
+                    .map(point -> new Term.Name(point.name()))
+                    .forEach(name -> forget(name, positions));
+                return List.of();
+              });
+          return changed(going.notIn(world.home()));
+        });
+  }
+
+  private void forget(Term name, PositionKeeping positions) {
+    world.variables().stream()
+        .filter(
+            variable ->
+                variable.arguments().contains(name)
+                    || world
+                        .cell(variable)
+                        .flatMap(Cell::value)
+                        .filter(held -> held.value().equals(name))
+                        .isPresent())
+        .forEach(positions::forget);
+  }
+
+  private Change changed(Home home) {
+    world = devices.changed(world, home);
+    return tell(new Change(world.version(), HOME, List.of()));
   }
 
   @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.

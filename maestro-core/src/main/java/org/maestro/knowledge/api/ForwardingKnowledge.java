@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 
 /**
  * A view of a knowledge base, for those who see it in a way of their own: everything is asked of it
@@ -33,6 +34,16 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   @Override
   public void dismiss(String group) {
     knowledge.dismiss(group);
+  }
+
+  @Override
+  public void admit(NamedPoints points) {
+    knowledge.admit(points);
+  }
+
+  @Override
+  public void dismiss(NamedPoints points) {
+    knowledge.dismiss(points);
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 
 /** The store. Thread-safe; writes are atomic, each yields at most one change. */
 public interface KnowledgeBase extends AutoCloseable {
@@ -23,6 +24,12 @@ public interface KnowledgeBase extends AutoCloseable {
 
   /** That agent of a group is there no more. */
   void dismiss(String group);
+
+  /** Somebody speaks of these points; they are things of the home until nobody does any more. */
+  void admit(NamedPoints points);
+
+  /** Who spoke of these points does so no more; to be called once for each time before. */
+  void dismiss(NamedPoints points);
 
   /**
    * Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open
