@@ -63,6 +63,7 @@ import org.maestro.coordination.story.PlanRecords;
 import org.maestro.coordination.undoing.FormerFacts;
 import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.NamedPoints;
 import org.maestro.ontology.home.PrivateWords;
@@ -695,7 +696,9 @@ public final class Coordinator {
   }
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
-    exactPrices.forget(change.source().agent());
+    if (!MemberCondition.isAllOf(change.facts())) {
+      exactPrices.forget(change.source().agent());
+    }
     if (isOfADevice(change.source())) {
       roster.described(change.source().agent(), ports.clock().now());
     }

@@ -62,6 +62,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public void condition(String member, MemberCondition now) {
+    knowledge.condition(member, now);
+  }
+
+  @Override
   public void believe(Source source, Map<String, Double> sureness) {
     knowledge.believe(source, sureness);
   }

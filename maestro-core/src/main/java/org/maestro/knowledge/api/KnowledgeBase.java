@@ -44,6 +44,9 @@ public interface KnowledgeBase extends AutoCloseable {
    */
   void state(String member, MemberWord word);
 
+  /** What a member is at, from now on until it says otherwise or is lost. */
+  void condition(String member, MemberCondition now);
+
   /**
    * What the source concludes, all that it believes now, each fact as surely as it says. What it
    * believed before and leaves out is not known on its word any more; what others are surer of
@@ -59,7 +62,10 @@ public interface KnowledgeBase extends AutoCloseable {
    */
   Change learn(FeatureRun run);
 
-  /** The member is gone: what it said of itself, and what was carried by it, become unknown. */
+  /**
+   * The member is gone: what it said of itself, and what was carried by it, become unknown; that it
+   * is lost is known.
+   */
   void lost(String member);
 
   Snapshot snapshot();
