@@ -209,6 +209,12 @@ public final class KnowledgeAgent extends MaestroAgent {
           describedBy.apply(words.string("description").get(), words.string("member").orElse(""));
       knowledge.describe(device);
       answer.addAll(Rights.words(access(), device));
+    } else if (AccountWords.condition(words).isPresent()) {
+      words
+          .string("member")
+          .filter(knowledge.home().devices()::containsKey)
+          .ifPresent(
+              member -> knowledge.condition(member, AccountWords.condition(words).orElseThrow()));
     } else if (words.find("facts").isPresent()) {
       state(words.string("source").orElse("unnamed"), words);
     } else {

@@ -63,7 +63,9 @@ import org.maestro.coordination.story.PlanRecords;
 import org.maestro.coordination.undoing.FormerFacts;
 import org.maestro.coordination.worth.Appraisals;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.Source;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.ontology.home.PrivateWords;
 import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Step;
@@ -177,6 +179,7 @@ public final class Coordinator {
   public void hold(String name, GoalRequest rule, Consumer<GoalOutcome> told) {
     new GoalCheck(ports.knowledge().home()).check(rule);
     Ports unwritten = keeping(privateWords(rule), ports.with(Journal.none()));
+    ports.knowledge().admit(NamedPoints.of(rule.goal()));
     ActiveGoal pursuit =
         new EntryGoal(
             name,
@@ -250,6 +253,7 @@ public final class Coordinator {
       Consumer<HeldNews> news,
       Consumer<GoalOutcome> told) {
     GoalPriority standing = new GoalPriority(request.priority(), request.deadline(), number);
+    ports.knowledge().admit(NamedPoints.of(request.goal()));
     Consumer<GoalOutcome> over =
         outcome -> {
           Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
@@ -425,6 +429,7 @@ public final class Coordinator {
     ended.put(id, goal);
     dispatcher.over(id);
     ActiveGoal over = pursuits.remove(id);
+    ports.knowledge().dismiss(NamedPoints.of(goal.request().goal()));
     appraisals.ended(goal.request(), goal.outcome());
     explained.put(id, over.decisions());
     planned.put(id, over.plans());
@@ -691,7 +696,9 @@ public final class Coordinator {
   }
 
   public void knowledgeChanged(KnowledgeBase.Change change) {
-    exactPrices.forget(change.source().agent());
+    if (!MemberCondition.isAllOf(change.facts())) {
+      exactPrices.forget(change.source().agent());
+    }
     if (isOfADevice(change.source())) {
       roster.described(change.source().agent(), ports.clock().now());
     }

@@ -21,6 +21,7 @@ import org.maestro.knowledge.api.History;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeException;
 import org.maestro.knowledge.api.KnowledgeSettings;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.QueryAnswer;
 import org.maestro.knowledge.api.Snapshot;
@@ -57,9 +58,11 @@ import org.maestro.knowledge.rdf.Graphs;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 import org.maestro.storage.WritingAside;
 
 /**
@@ -92,6 +95,7 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final Conclusions conclusions = new Conclusions();
   private final LastWords lastWords = new LastWords();
   private final Sights sights = new Sights();
+  private final SpokenPoints spoken = new SpokenPoints();
   private final Ageing ageing;
   private volatile World world;
   private long serial;
@@ -203,7 +207,9 @@ public final class CollectiveKnowledge implements KnowledgeBase {
         () -> {
           World before = world;
           world = devices.described(before, device);
-          return tellOf(device.id(), before);
+          Change change = tellOf(device.id(), before);
+          noLongerLost(device.id());
+          return change;
         });
   }
 
@@ -227,6 +233,54 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           devices.remove(new Graphs(world.home()), group);
           return tellOf(group, before);
         });
+  }
+
+  @Override
+  public void admit(NamedPoints points) {
+    guarded(
+        () -> {
+          World before = world;
+          NamedPoints coming = spoken.come(points, before.home());
+          return coming.isEmpty() ? unchanged(HOME) : changed(coming.in(before.home()));
+        });
+  }
+
+  @Override
+  public void dismiss(NamedPoints points) {
+    guarded(
+        () -> {
+          NamedPoints going = spoken.go(points);
+          if (going.isEmpty()) {
+            return unchanged(HOME);
+          }
+          write(
+              new Voice(HOME, 1),
+              (draft, positions) -> {
+                going.points().stream()
+                    .map(point -> new Term.Name(point.name()))
+                    .forEach(name -> forget(name, positions));
+                return List.of();
+              });
+          return changed(going.notIn(world.home()));
+        });
+  }
+
+  private void forget(Term name, PositionKeeping positions) {
+    world.variables().stream()
+        .filter(
+            variable ->
+                variable.arguments().contains(name)
+                    || world
+                        .cell(variable)
+                        .flatMap(Cell::value)
+                        .filter(held -> held.value().equals(name))
+                        .isPresent())
+        .forEach(positions::forget);
+  }
+
+  private Change changed(Home home) {
+    world = devices.changed(world, home);
+    return tell(new Change(world.version(), HOME, List.of()));
   }
 
   @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
@@ -277,6 +331,35 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public void condition(String member, MemberCondition now) {
+    guarded(
+        () -> {
+          Snapshot before = view(world);
+          List<Fact> news =
+              now.facts(member).stream()
+                  .filter(
+                      fact ->
+                          !(fact instanceof Fact.Excluded excluded)
+                              || before.truth(excluded.atom()) == Truth.TRUE)
+                  .toList();
+          return write(seen(member), (draft, positions) -> news);
+        });
+  }
+
+  /** One that has described itself anew is there. */
+  private void noLongerLost(String member) {
+    if (view(world).truth(MemberCondition.lost(member)) == Truth.TRUE) {
+      Fact found = new Fact.Excluded(MemberCondition.lost(member));
+      write(seen(member), (draft, positions) -> List.of(found));
+    }
+  }
+
+  /** What is seen of a member is none of the values that it tells, all of them each time. */
+  private static Voice seen(String member) {
+    return new Voice(new Source(Source.Kind.OBSERVED, member), 1);
+  }
+
+  @Override
   public void believe(Source source, Map<String, Double> sureness) {
     Map<Fact, Double> read = new LinkedHashMap<>();
     sureness.forEach((text, sure) -> read.put(FactReader.read(text, source.agent()), sure));
@@ -319,14 +402,16 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     guarded(
         () ->
             write(
-                new Voice(new Source(Source.Kind.OBSERVED, member), 1),
+                seen(member),
                 (draft, positions) -> {
                   world.variables().stream()
                       .filter(variable -> isOf(member, name, variable))
                       .forEach(positions::forget);
                   statements.forget(world, member, positions);
                   lastWords.forget(member);
-                  return List.of();
+                  return world.home().devices().containsKey(member)
+                      ? List.of(new Fact.Holds(MemberCondition.lost(member)))
+                      : List.of();
                 }));
   }
 

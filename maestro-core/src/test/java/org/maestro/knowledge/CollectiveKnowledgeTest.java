@@ -179,7 +179,7 @@ class CollectiveKnowledgeTest {
         .extracting(KnowledgeBase.Change::facts)
         .containsExactly(
             List.of("(in rose zone-b)", "(= (level rose) 0.5)"),
-            List.of("(unknown (in rose zone-b))", "(unknown (level rose))"));
+            List.of("(lost rose)", "(unknown (in rose zone-b))", "(unknown (level rose))"));
     assertThat(home.knowledge.snapshot().version()).isEqualTo(2);
   }
 

@@ -98,7 +98,7 @@ final class ContentSyntax {
   }
 
   private Content.Argument argument(Node node) {
-    if (node instanceof Node.Leaf) {
+    if (node instanceof Node.Leaf || PointSyntax.begins(node)) {
       return new Content.Argument.OfTerm(ExpressionSyntax.term(node));
     }
     Node.Group group = (Node.Group) node;
@@ -117,7 +117,10 @@ final class ContentSyntax {
       return new Content.Argument.OfFormula(formulas.goal(group));
     }
     boolean onlyTerms =
-        group.rest().stream().allMatch(child -> child instanceof Node.Leaf && !isKeyword(child));
+        group.rest().stream()
+            .allMatch(
+                child ->
+                    child instanceof Node.Leaf && !isKeyword(child) || PointSyntax.begins(child));
     return OPERATORS.contains(head) || !onlyTerms
         ? new Content.Argument.Nested(content(group))
         : new Content.Argument.OfFormula(FormulaSyntax.atom(group, "an argument"));

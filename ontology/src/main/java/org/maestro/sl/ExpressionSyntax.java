@@ -22,6 +22,9 @@ final class ExpressionSyntax {
   }
 
   static Term term(Node node) {
+    if (PointSyntax.begins(node)) {
+      return PointSyntax.name(node);
+    }
     if (!(node instanceof Node.Leaf leaf)) {
       throw node.fault("a term");
     }
@@ -58,7 +61,9 @@ final class ExpressionSyntax {
 
   /** Either side of an equality: any term, or an expression. */
   static Expression operand(Node node) {
-    return node instanceof Node.Leaf ? new Expression.OfTerm(term(node)) : expression(node);
+    return node instanceof Node.Leaf || PointSyntax.begins(node)
+        ? new Expression.OfTerm(term(node))
+        : expression(node);
   }
 
   static Expression expression(Node node) {

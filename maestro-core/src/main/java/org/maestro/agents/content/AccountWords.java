@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.knowledge.api.Moment;
 import org.maestro.knowledge.api.StepAccount;
@@ -40,6 +41,26 @@ public final class AccountWords {
       parts.add(Words.named("only", word.only().stream().sorted().map(Words::text).toList()));
     }
     return parts;
+  }
+
+  /** What a member is at. */
+  public static Content condition(String member, MemberCondition now) {
+    return Words.content(
+        "inform",
+        Words.named("member", Words.name(member)),
+        Words.named("state", Words.text(now.state())),
+        Words.named("busy", Words.name(String.valueOf(now.busy()))));
+  }
+
+  /** What {@link #condition} wrote; empty when it is something else. */
+  public static Optional<MemberCondition> condition(Words words) {
+    return words
+        .string("state")
+        .flatMap(
+            state ->
+                words
+                    .string("busy")
+                    .map(busy -> new MemberCondition(state, Boolean.parseBoolean(busy))));
   }
 
   private static Content.Argument.Named facts(MemberWord word) {

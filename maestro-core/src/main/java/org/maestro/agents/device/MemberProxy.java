@@ -19,6 +19,7 @@ import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.deployment.Charge;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.MemberWord;
 import org.maestro.members.DescriptionVerdict;
 import org.maestro.members.MemberNews;
@@ -69,6 +70,7 @@ public final class MemberProxy implements MemberNews.Listener {
   private boolean announced;
   private boolean wasLost;
   private boolean hasSpoken;
+  private Optional<MemberCondition> condition = Optional.empty();
   private Runnable unwatch = () -> {};
 
   public MemberProxy(
@@ -240,11 +242,33 @@ public final class MemberProxy implements MemberNews.Listener {
     announcements.offeringChanged();
   }
 
+  /** What the member is at is told as soon as it changes, also while a call runs. */
+  private void tellCondition(RatsLink.Member now) {
+    Optional<MemberCondition> told =
+        now.state()
+            .filter(itsState -> view.isReady())
+            .map(state -> new MemberCondition(state.state(), !state.running().isEmpty()));
+    if (!told.equals(condition)) {
+      condition = told;
+      told.ifPresent(
+          changed ->
+              agent.send(
+                  agent.message(
+                      ACLMessage.INFORM,
+                      agent.getAID(AgentNames.KNOWLEDGE),
+                      AccountWords.condition(member, changed))));
+    }
+  }
+
   /** Told on the link's thread. */
   private final class Ear implements RatsLink.MemberListener {
     @Override
     public void changed(RatsLink.Member now) {
-      agent.tell(() -> news.changed(now));
+      agent.tell(
+          () -> {
+            news.changed(now);
+            tellCondition(now);
+          });
     }
 
     @Override

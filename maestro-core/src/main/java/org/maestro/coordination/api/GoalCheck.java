@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.ontology.home.Script;
 import org.maestro.ontology.home.StatementCheck;
 import org.maestro.ontology.validation.Nearest;
@@ -25,7 +26,7 @@ public final class GoalCheck {
   private final StatementCheck statements;
   private final StatementCheck benefits;
 
-  /** For goals in this home. */
+  /** For goals in this home, also with points that it does not know yet. */
   public GoalCheck(Home home) {
     this.home = home;
     this.statements = new StatementCheck(home, "The goal");
@@ -38,6 +39,11 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(GoalRequest request) {
+    Optional<GoalCheck> withItsPoints = withPointsOf(request.goal());
+    if (withItsPoints.isPresent()) {
+      withItsPoints.get().check(request);
+      return;
+    }
     if (request.goal() instanceof Formula.Bound bound) {
       new BoundGoalCheck(home).check(bound, this::checkUnbound);
     } else {
@@ -57,6 +63,14 @@ public final class GoalCheck {
       refuse(unknownName(goal));
       check(goal);
     }
+  }
+
+  /** The same where the points are, too, that the goal names; empty when they are here. */
+  private Optional<GoalCheck> withPointsOf(Formula goal) {
+    NamedPoints points = NamedPoints.of(goal);
+    refuse(points.objection(home).map(found -> found.sentence("The goal")));
+    Home with = points.in(home);
+    return with.equals(home) ? Optional.empty() : Optional.of(new GoalCheck(with));
   }
 
   private static void refuse(Optional<String> fault) {
@@ -138,6 +152,11 @@ public final class GoalCheck {
    * @throws InvalidGoalException for the first that is wrong
    */
   public void check(Formula goal) {
+    Optional<GoalCheck> withItsPoints = withPointsOf(goal);
+    if (withItsPoints.isPresent()) {
+      withItsPoints.get().check(goal);
+      return;
+    }
     script(goal)
         .ifPresent(
             script -> {

@@ -13,6 +13,7 @@ import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Step;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Point;
 import org.maestro.sl.Self;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -161,7 +162,9 @@ public final class Sentences {
 
   static String term(Term term) {
     if (term instanceof Term.Name name) {
-      return name.text();
+      return Point.named(name.text())
+          .map(point -> "(" + point.coordinates() + ")")
+          .orElse(name.text());
     }
     if (term instanceof Term.Number number) {
       return number(number.value());

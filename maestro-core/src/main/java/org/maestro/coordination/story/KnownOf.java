@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.facts.Sensing;
+import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.PrivateWords;
@@ -37,7 +38,7 @@ public final class KnownOf {
   private final ReadingRights readers;
 
   /**
-   * @param known facts in MAESTRO-SL
+   * @param known facts in MAESTRO-SL; what members are at is left out
    */
   KnownOf(Home home, List<String> known) {
     this.home = home;
@@ -47,7 +48,11 @@ public final class KnownOf {
   }
 
   String sentences(String name) {
-    List<String> told = known.stream().filter(fact -> mentions(fact, name)).toList();
+    List<String> told =
+        known.stream()
+            .filter(fact -> mentions(fact, name))
+            .filter(fact -> !MemberCondition.isAllOf(List.of(fact)))
+            .toList();
     List<String> all = Stream.concat(told.stream(), stated(name)).distinct().toList();
     List<String> facts =
         all.stream().filter(readers::mayReadFact).map(sentences::fact).limit(MOST_FACTS).toList();

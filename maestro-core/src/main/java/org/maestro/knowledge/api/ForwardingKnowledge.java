@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 
 /**
  * A view of a knowledge base, for those who see it in a way of their own: everything is asked of it
@@ -36,6 +37,16 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public void admit(NamedPoints points) {
+    knowledge.admit(points);
+  }
+
+  @Override
+  public void dismiss(NamedPoints points) {
+    knowledge.dismiss(points);
+  }
+
+  @Override
   public void describe(Device device) {
     knowledge.describe(device);
   }
@@ -48,6 +59,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   @Override
   public void state(String member, MemberWord word) {
     knowledge.state(member, word);
+  }
+
+  @Override
+  public void condition(String member, MemberCondition now) {
+    knowledge.condition(member, now);
   }
 
   @Override

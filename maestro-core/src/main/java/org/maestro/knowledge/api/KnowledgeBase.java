@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 
 /** The store. Thread-safe; writes are atomic, each yields at most one change. */
 public interface KnowledgeBase extends AutoCloseable {
@@ -24,6 +25,12 @@ public interface KnowledgeBase extends AutoCloseable {
   /** That agent of a group is there no more. */
   void dismiss(String group);
 
+  /** Somebody speaks of these points; they are things of the home until nobody does any more. */
+  void admit(NamedPoints points);
+
+  /** Who spoke of these points does so no more; to be called once for each time before. */
+  void dismiss(NamedPoints points);
+
   /**
    * Ground MAESTRO-SL facts said by a source: {@code (in rose zone-b)}, {@code (not (open
    * door-1))}, {@code (= (level lamp-b1) 0.5)}. A device states all its values each time: what it
@@ -36,6 +43,9 @@ public interface KnowledgeBase extends AutoCloseable {
    * it is.
    */
   void state(String member, MemberWord word);
+
+  /** What a member is at, from now on until it says otherwise or is lost. */
+  void condition(String member, MemberCondition now);
 
   /**
    * What the source concludes, all that it believes now, each fact as surely as it says. What it
@@ -52,7 +62,10 @@ public interface KnowledgeBase extends AutoCloseable {
    */
   Change learn(FeatureRun run);
 
-  /** The member is gone: what it said of itself, and what was carried by it, become unknown. */
+  /**
+   * The member is gone: what it said of itself, and what was carried by it, become unknown; that it
+   * is lost is known.
+   */
   void lost(String member);
 
   Snapshot snapshot();

@@ -18,6 +18,7 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.ontology.vocabulary.VocabularyCheck;
 import org.maestro.ontology.wording.WordingReader;
+import org.maestro.sl.Point;
 
 /** Reads the home of a graph: its things, its devices, its scripts and its rules. */
 final class HomeReader {
@@ -55,6 +56,7 @@ final class HomeReader {
     Map<String, Node> scripts = scripts(nodes);
     Map<String, Node> rules = rules(nodes, scripts);
     roomsAsZones(individuals);
+    Map<Point, Node> points = points(individuals, homes);
     VocabularyCheck words = new VocabularyCheck(graph, vocabulary, individuals::containsKey);
     words.check();
     Node homeNode = homeNode(homes);
@@ -75,8 +77,21 @@ final class HomeReader {
             new TrackingReader(graph, vocabulary, words).read(individuals, nodes));
     check(home, nodes, scripts);
     new RuleCheck(graph, home).check(rules);
-    checkMap(home);
+    checkMap(home, points);
     return home;
+  }
+
+  /** The points that formulas of the text name are things of the home. */
+  private Map<Point, Node> points(Map<String, Individual> individuals, List<Node> homes) {
+    Map<Point, Node> points = new PointReader(graph, source).read();
+    String home = homes.stream().filter(Node::isURI).map(Node::getURI).findFirst().orElse("");
+    points
+        .keySet()
+        .forEach(
+            point ->
+                individuals.putIfAbsent(
+                    point.name(), NamedPoints.individual(point, home, vocabulary)));
+    return points;
   }
 
   /** The scripts of the text, whose names are neither things' nor words', and the shipped ones. */
@@ -203,9 +218,14 @@ final class HomeReader {
   }
 
   /** The map as a whole, if nothing was wrong before. */
-  private void checkMap(Home home) {
+  private void checkMap(Home home, Map<Point, Node> points) {
     if (graph.faults().isEmpty()) {
       new MapCheck(graph, home).check();
+      points.forEach(
+          (point, node) ->
+              new NamedPoints(Set.of(point))
+                  .objection(home)
+                  .ifPresent(found -> graph.fault(node, found.problem(), found.cure())));
     }
   }
 

@@ -19,6 +19,7 @@ import org.maestro.sl.Fact;
 import org.maestro.sl.Formula;
 import org.maestro.sl.FreeVariables;
 import org.maestro.sl.Leaves;
+import org.maestro.sl.Point;
 import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
 
@@ -155,7 +156,13 @@ public final class StatementCheck {
   private void unknownNames(List<Term> terms, List<String> faults) {
     Collection<String> known = home.individuals().keySet();
     for (Term term : terms) {
-      if (term instanceof Term.Name name && !known.contains(name.text())) {
+      if (term instanceof Term.Name name
+          && !known.contains(name.text())
+          && Point.named(name.text()).isPresent()) {
+        faults.add(
+            "Nothing is known of the point %s, of which no goal speaks now; ask of the zone, or state the goal first."
+                .formatted(name.text()));
+      } else if (term instanceof Term.Name name && !known.contains(name.text())) {
         faults.add(
             "Nobody knows a thing named %s; %s."
                 .formatted(

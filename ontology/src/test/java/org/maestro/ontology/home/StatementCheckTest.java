@@ -17,7 +17,7 @@ class StatementCheckTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "(foo rose) | The goal uses the unknown predicate foo; there are adjoins, canSee, colour, ",
+        "(foo rose) | The goal uses the unknown predicate foo; there are adjoins, busy, canSee, colour, ",
         "(foo rose) | usuallyIn, each written as in (canSee cam-a Bob).",
         "(>= (brightnss zone-a) 1) | unknown fluent brightnss; there are charge, daylight, ",
         "(in Cupp ?where) | Nobody knows a thing named Cupp; write Cup, if that is meant.",

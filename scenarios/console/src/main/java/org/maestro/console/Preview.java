@@ -11,7 +11,9 @@ import org.maestro.coordination.api.DescribedFeatures;
 import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.sl.Formula;
@@ -57,10 +59,20 @@ final class Preview implements AutoCloseable {
     Formula wanted = goal instanceof Formula.Keep keep ? keep.body() : goal;
     return new PlanningTask(
         home.vocabulary(),
-        knowledge.snapshot(),
+        snapshot(NamedPoints.of(goal)),
         DescribedFeatures.of(home, present.get()::contains),
         wanted,
         Set.of());
+  }
+
+  /** What is known now, with the points that the goal names. */
+  private Snapshot snapshot(NamedPoints points) {
+    knowledge.admit(points);
+    try {
+      return knowledge.snapshot();
+    } finally {
+      knowledge.dismiss(points);
+    }
   }
 
   @Override

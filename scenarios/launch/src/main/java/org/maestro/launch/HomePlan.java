@@ -15,6 +15,7 @@ import org.maestro.coordination.api.InvalidGoalException;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.ontology.home.OpenChoice;
 import org.maestro.planning.OptimalPlanner;
 import org.maestro.planning.api.PlanTime;
@@ -62,8 +63,9 @@ final class HomePlan {
    * @return the exit code
    */
   int show(String homeFile, String goalText, Optional<Path> directory, boolean json) {
-    Home home = Shipped.home(homeFile);
-    Formula goal = goal(home, goalText);
+    Home shipped = Shipped.home(homeFile);
+    Formula goal = goal(shipped, goalText);
+    Home home = NamedPoints.of(goal).in(shipped);
     PlanningTask task = task(home, goal);
     Optional<Written> written = directory.map(place -> write(task, place));
     PlanningResult result = asFarAsIsKnown(new OptimalPlanner().plan(task), home);
