@@ -28,7 +28,8 @@ class FacePageTest {
   @Test
   void theKitchenAnswersAtTheLivingRoomsScreenWhichFollowsWhatIsSaid() throws Exception {
     try (ServedHome home = ServedHome.startRooms(UnaryOperator.identity())) {
-      assertThat(ended(home, SMILE)).contains("no page shows this face; open face.html#screen-living");
+      assertThat(ended(home, SMILE))
+          .contains("no page shows this face; open face.html#screen-living");
       home.assertValid(home.get("/faces").document(), "faces");
 
       assumeTrue(Browser.isThere(), NO_BROWSER);
