@@ -13,6 +13,8 @@ import org.maestro.hal.DaylightSensor;
 import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
+import org.maestro.hal.Face;
+import org.maestro.hal.FaceState;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PersonRecognition;
@@ -98,6 +100,7 @@ final class SelfReport implements MemberProfile.Values {
     drivers
         .find(Battery.class)
         .ifPresent(battery -> words.put("charge", new Term.Number(battery.charge())));
+    drivers.find(Face.class).ifPresent(face -> addFace(words, face.state()));
     drivers
         .find(GripperArm.class)
         .flatMap(GripperArm::held)
@@ -108,6 +111,30 @@ final class SelfReport implements MemberProfile.Values {
         .map(steering -> new Term.Number(Numbers.degreesAround(steering.heading())))
         .ifPresent(heading -> words.put("heading", heading));
     return words;
+  }
+
+  /** What is not there just now, such as a gesture, is not told. */
+  private static void addFace(Map<String, Term> words, FaceState face) {
+    if (!face.persona().isEmpty()) {
+      words.put("persona", new Term.Text(face.persona()));
+    }
+    words.put("expression", new Term.Text(face.expression().word()));
+    words.put("intensity", new Term.Number(face.intensity()));
+    face.gaze()
+        .ifPresent(
+            gaze -> {
+              words.put("looksAt", new Term.Name(gaze.thing()));
+              words.put("gazeTurn", new Term.Number(Math.rint(gaze.turn())));
+              words.put("gazeRise", new Term.Number(Math.rint(gaze.rise())));
+            });
+    face.gesture().ifPresent(gesture -> words.put("gesture", new Term.Text(gesture.word())));
+    face.pointing().ifPresent(there -> words.put("pointsAt", new Term.Name(there.thing())));
+    face.spoken()
+        .ifPresent(
+            spoken -> {
+              words.put("saying", new Term.Text(spoken.text()));
+              words.put("stress", new Term.Number(spoken.stress()));
+            });
   }
 
   private void addPlace(Map<String, Term> words, Point2 position) {

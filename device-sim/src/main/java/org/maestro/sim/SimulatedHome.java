@@ -26,6 +26,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.rats.transport.Transport;
 import org.maestro.sim.drivers.DriverFactory;
+import org.maestro.sim.drivers.FacePages;
 import org.maestro.sim.drivers.SimulatedCamera;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Course;
@@ -52,6 +53,7 @@ public final class SimulatedHome implements AutoCloseable {
   private final Map<String, Drivers> driversOf;
   private final LivingMembers members;
   private final FaultRunner faults;
+  private final FacePages pages = new FacePages();
 
   /**
    * The parts and parameters of a simulated home.
@@ -247,6 +249,17 @@ public final class SimulatedHome implements AutoCloseable {
     return new LowerBound(world, setup.parameters()).bringNextTo(robot, thing, target);
   }
 
+  /**
+   * Has faces that pages draw know whether there is one that does; until then somebody is taken to
+   * look at each.
+   *
+   * @param isShown whether a page shows the face of that device now; any thread may ask, and it
+   *     answers at once
+   */
+  public void facesAreShownBy(Predicate<String> isShown) {
+    pages.become(isShown);
+  }
+
   /** All members leave the bus for good. */
   @Override
   public void close() {
@@ -263,7 +276,8 @@ public final class SimulatedHome implements AutoCloseable {
             setup.clock(),
             setup.parameters(),
             new Windows(setup.home()),
-            persons());
+            persons(),
+            pages);
     Map<String, Drivers> all = new LinkedHashMap<>();
     Random seeds = new Random(setup.seed());
     for (Device device : inDeclaredOrder(setup.home())) {

@@ -16,9 +16,11 @@ import org.maestro.agents.centre.HostedReasoners;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.centre.Undoing;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.goals.AgentJournal;
 import org.maestro.agents.goals.Deliberation;
 import org.maestro.agents.goals.Past;
@@ -96,6 +98,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     this.returns = past.returns();
     Journal journal = new AgentJournal(this, time.clock(), past.journal());
     this.stories = new ToldStories(this, archive, past.stories(), this::storyEnded);
+    Faces faces = new Faces(this, AgentNames.COORDINATOR, knowledge);
     this.deliberation =
         new Deliberation(
             this,
@@ -103,11 +106,12 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
             new ReasoningServices(knowledge, planner, decisionTime),
             stories::told,
             journal,
-            this::misconduct);
+            this::misconduct,
+            faces);
     this.coordinator = deliberation.coordinator();
     this.requests = new GoalRequests(this, knowledge, coordinator, stories);
     this.undoing = new Undoing(this, coordinator, requests);
-    this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues);
+    this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues, faces);
     this.rules = new HomeRules(this, knowledge.home(), requests);
     this.reasoners = new HostedReasoners(this, knowledge, reasoners, requests);
   }

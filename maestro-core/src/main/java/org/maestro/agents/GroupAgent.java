@@ -125,7 +125,9 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
             goals.manager(),
             requests,
             new Undoing(this, goals.manager(), requests),
-            dialogues));
+            dialogues,
+            goals.faces()),
+        goals.faces());
   }
 
   @Override

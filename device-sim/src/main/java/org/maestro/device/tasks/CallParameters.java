@@ -31,6 +31,29 @@ record CallParameters(Map<String, Object> values) {
     throw new InvalidCallException("The parameter " + name + " is a number, not " + value + ".");
   }
 
+  /**
+   * @throws InvalidCallException when it is missing, empty or none
+   */
+  String text(String name) {
+    return optionalText(name)
+        .filter(text -> !text.isBlank())
+        .orElseThrow(
+            () -> new InvalidCallException("The parameter " + name + " is missing; it is a text."));
+  }
+
+  Optional<String> optionalText(String name) {
+    Object value = values.get(name);
+    if (value == null || value instanceof String) {
+      return Optional.ofNullable((String) value);
+    }
+    throw new InvalidCallException("The parameter " + name + " is a text, not " + value + ".");
+  }
+
+  /** A number from 0 to 1, or another one where there is none. */
+  double share(String name, double usual) {
+    return values.get(name) == null ? usual : share(name);
+  }
+
   /** A number from 0 to 1. */
   double share(String name) {
     double share = number(name);

@@ -117,4 +117,21 @@ abstract class DeviceProcedure implements Procedure {
       }
     };
   }
+
+  /** Goes on when the driver's command is done, unless the call is over meanwhile. */
+  static Completion next(Execution execution, Runnable then) {
+    return new Completion() {
+      @Override
+      public void done() {
+        if (!execution.ended()) {
+          then.run();
+        }
+      }
+
+      @Override
+      public void failed(String reason) {
+        execution.fail(FeatureContext.broken(reason));
+      }
+    };
+  }
 }

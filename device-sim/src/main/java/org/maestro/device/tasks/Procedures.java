@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
+import org.maestro.hal.HeadGesture;
 import org.maestro.rats.member.Procedure;
 
 /**
@@ -57,6 +58,14 @@ public final class Procedures {
     kinds.put("halt", new Kind("halting", HaltTask::new));
     kinds.put("readSignal", new Kind("measuring", ReadSignal::new));
     kinds.put(TRANSMIT, new Kind("transmitting", TransmitTask::new));
+    kinds.put("showFace", new Kind("expressing", ShowFace::new));
+    kinds.put("express", new Kind("expressing", ExpressTask::new));
+    kinds.put("lookAt", new Kind("looking", LookAt::new));
+    kinds.put("pointAt", new Kind("gesturing", PointAt::new));
+    kinds.put("nod", new Kind("gesturing", context -> new MoveHead(context, HeadGesture.NOD)));
+    kinds.put(
+        "shakeHead", new Kind("gesturing", context -> new MoveHead(context, HeadGesture.SHAKE)));
+    kinds.put("sayWithFace", new Kind("speaking", SayWithFace::new));
   }
 
   /**

@@ -17,12 +17,15 @@ import org.maestro.hal.DimmableLamp;
 import org.maestro.hal.DoorDrive;
 import org.maestro.hal.Drivers;
 import org.maestro.hal.Ear;
+import org.maestro.hal.Face;
+import org.maestro.hal.FaceMount;
 import org.maestro.hal.GripperArm;
 import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
 import org.maestro.hal.Loudspeaker;
 import org.maestro.hal.MobileBase;
+import org.maestro.hal.PageFace;
 import org.maestro.hal.PersonRecognition;
 import org.maestro.hal.Position;
 import org.maestro.hal.PresenceSensor;
@@ -45,12 +48,14 @@ import org.maestro.rats.time.Clock;
 import org.maestro.sim.parameters.ArmData;
 import org.maestro.sim.parameters.BaseData;
 import org.maestro.sim.parameters.CameraData;
+import org.maestro.sim.parameters.FaceData;
 import org.maestro.sim.parameters.GripperData;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.parameters.RecognitionData;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneSky;
 import org.maestro.sim.scene.SimulationException;
+import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.Body;
 import org.maestro.sim.world.FloorMap;
 import org.maestro.sim.world.LampLight;
@@ -80,9 +85,11 @@ public final class DriverFactory {
   private final Set<String> robots = new TreeSet<>();
   private final SortedSet<String> persons;
   private final Photographer photographer;
+  private final FacePages pages;
 
   /**
    * @param persons whom sensors that tell persons apart know
+   * @param pages that draw faces
    */
   public DriverFactory(
       World world,
@@ -90,13 +97,15 @@ public final class DriverFactory {
       Clock clock,
       PhysicalParameters parameters,
       Windows windows,
-      Set<String> persons) {
+      Set<String> persons,
+      FacePages pages) {
     this.world = world;
     this.scene = scene;
     this.clock = clock;
     this.parameters = parameters;
     this.windows = windows;
     this.persons = new TreeSet<>(persons);
+    this.pages = pages;
     this.photographer = new Photographer(world, robots, parameters);
   }
 
@@ -176,6 +185,19 @@ public final class DriverFactory {
               .with(Transmitter.class, new SimulatedTransmitter(actuator, parameters.signal()));
       case "signal-field" ->
           Drivers.none().with(SignalField.class, new SimulatedField(actuator, parameters.signal()));
+      case "face" ->
+          Drivers.none()
+              .with(Face.class, new SimulatedFace(actuator, mount(device), FaceData.USUAL));
+      case "face-page" ->
+          Drivers.none()
+              .with(
+                  Face.class,
+                  new PageFace(
+                      device.id(),
+                      mount(device),
+                      () -> pages.show(device.id()),
+                      actuator::after,
+                      () -> actuator.tell(WorldEvent.Kind.FACED)));
       case "mobile-robot-with-camera" ->
           robot(device, actuator, Undercarriage::gliding)
               .with(
@@ -197,7 +219,8 @@ public final class DriverFactory {
                   + " door, appliance, stocked-appliance, thermostat, thermometer, simulated-ear,"
                   + " loudspeaker, clock, shutter,"
                   + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-fingers,"
-                  + " mecanum-robot, differential-robot, exploring-robot, signal-field.");
+                  + " mecanum-robot, differential-robot, exploring-robot, signal-field, face,"
+                  + " face-page.");
     };
   }
 
@@ -428,6 +451,11 @@ public final class DriverFactory {
                 new SimulationException(
                     "The sensor %s stands in no zone. Give it a maestro:pose within one."
                         .formatted(device.id())));
+  }
+
+  /** Where nobody says which way a face looks, it looks along the x axis. */
+  private static FaceMount mount(Device device) {
+    return new FaceMount(place(device), pose(device).yaw());
   }
 
   private static Position place(Device device) {

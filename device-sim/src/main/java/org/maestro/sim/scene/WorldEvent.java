@@ -41,7 +41,9 @@ public record WorldEvent(Duration at, Kind kind, String subject, Optional<String
     /** A robot that drives touches another body that moves. */
     COLLIDED,
     /** A robot has sent what it had to send. */
-    TRANSMITTED
+    TRANSMITTED,
+    /** A face shows something else. */
+    FACED
   }
 
   /** Told on the thread that caused the event, mostly the clock's; may change the world. */

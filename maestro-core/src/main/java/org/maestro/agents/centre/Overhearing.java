@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.maestro.agents.content.OverheardReply;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.dialogue.Dialogues;
@@ -35,6 +36,7 @@ final class Overhearing {
   private final Coordinator coordinator;
   private final GoalRequests requests;
   private final Dialogues dialogues;
+  private final Faces faces;
   private final Map<String, UnfinishedSentence> byPerson = new HashMap<>();
 
   Overhearing(
@@ -42,12 +44,14 @@ final class Overhearing {
       KnowledgeBase knowledge,
       Coordinator coordinator,
       GoalRequests requests,
-      Dialogues dialogues) {
+      Dialogues dialogues,
+      Faces faces) {
     this.agent = agent;
     this.knowledge = knowledge;
     this.coordinator = coordinator;
     this.requests = requests;
     this.dialogues = dialogues;
+    this.faces = faces;
   }
 
   /** Words were heard, all of the sentence so far; others are to come. */
@@ -103,6 +107,7 @@ final class Overhearing {
         new OverheardReply(
                 heard.looks(), heard.complete(), sentence.ids(), undone, Optional.empty())
             .content());
+    faces.overheard(said.utterance(), heard.looks(), heard.complete());
   }
 
   /** Whether each of some goals is taken on, or not, has been told. */

@@ -11,8 +11,10 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.maestro.agents.content.SaidReply;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Speech;
@@ -24,6 +26,7 @@ import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.language.wording.AnswerWords;
 import org.maestro.ontology.home.ReadingRights;
+import org.maestro.sl.Content;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
@@ -42,10 +45,12 @@ public final class Sayings {
   private final Dialogues dialogues;
   private final Overhearing overhearing;
   private final Undoing undoing;
+  private final Faces faces;
   private final Map<String, SaidGoals> lastByPerson = new HashMap<>();
 
   /**
    * @param dialogues what was said before, also by other ways
+   * @param faces at which the agent is seen while it listens and answers
    */
   public Sayings(
       MaestroAgent agent,
@@ -53,13 +58,15 @@ public final class Sayings {
       Coordinator coordinator,
       GoalRequests requests,
       Undoing undoing,
-      Dialogues dialogues) {
+      Dialogues dialogues,
+      Faces faces) {
     this.agent = agent;
     this.knowledge = knowledge;
     this.requests = requests;
     this.undoing = undoing;
     this.dialogues = dialogues;
-    this.overhearing = new Overhearing(agent, knowledge, coordinator, requests, dialogues);
+    this.faces = faces;
+    this.overhearing = new Overhearing(agent, knowledge, coordinator, requests, dialogues, faces);
   }
 
   /** Somebody says something. */
@@ -101,7 +108,7 @@ public final class Sayings {
           if (isOver) {
             understand(said);
           } else {
-            agent.reply(said.message(), performative, contents);
+            reply(said, performative, contents);
           }
         });
   }
@@ -117,29 +124,40 @@ public final class Sayings {
     }
     overhearing.over(said, List.of(), List.of());
     if (reading instanceof Reading.Goals goals) {
-      agent.refuse(said.message(), ACLMessage.REFUSE, refusal(spoken, goals, said).orElseThrow());
+      refuse(said, refusal(spoken, goals, said).orElseThrow());
     } else if (reading instanceof Reading.Asked asked) {
       tell(said, means, asked.formula(), answers -> spoken.answer(answers, asked.formula()));
     } else if (reading instanceof Reading.Counted counted) {
       tell(said, means, counted.formula(), answers -> spoken.counted(answers, counted.formula()));
     } else if (reading instanceof Reading.Back back) {
-      agent.reply(said.message(), ACLMessage.INFORM, SayWords.asked(back.text()));
+      reply(said, ACLMessage.INFORM, SayWords.asked(back.text()));
     } else if (reading instanceof Reading.Said reply) {
-      agent.reply(said.message(), ACLMessage.INFORM, SayWords.replied(means, reply.text()));
+      reply(said, ACLMessage.INFORM, SayWords.replied(means, reply.text()));
     } else if (reading instanceof Reading.Undone) {
       undo(said, spoken, means);
     } else if (isNothingToDo(reading, heard)) {
-      agent.reply(
-          said.message(),
+      reply(
+          said,
           ACLMessage.INFORM,
           SayWords.replied(means, spoken.goals(said.utterance()).phrase("no")));
     } else if (reading instanceof Reading.Agreed) {
-      agent.refuse(said.message(), ACLMessage.REFUSE, notUnderstood(heard));
+      refuse(said, notUnderstood(heard));
     } else if (reading instanceof Reading.Unclear unclear) {
-      agent.refuse(said.message(), ACLMessage.REFUSE, unclear.why());
+      refuse(said, unclear.why());
     } else {
-      agent.refuse(said.message(), ACLMessage.REFUSE, ofTheConsole(means));
+      refuse(said, ofTheConsole(means));
     }
+  }
+
+  /** It is told to who has told the words, and seen by who spoke them. */
+  private void reply(Said said, int performative, Content... contents) {
+    agent.reply(said.message(), performative, contents);
+    faces.answered(said.utterance(), SayWords.read(List.of(contents)));
+  }
+
+  private void refuse(Said said, String why) {
+    agent.refuse(said.message(), ACLMessage.REFUSE, why);
+    faces.answered(said.utterance(), new SaidReply.Refused(why));
   }
 
   private void state(Said said, SpokenWords.Hearing heard, Reading.Goals goals, String means) {
@@ -157,7 +175,7 @@ public final class Sayings {
             formulas,
             sentence,
             means,
-            (performative, contents) -> agent.reply(said.message(), performative, contents));
+            (performative, contents) -> reply(said, performative, contents));
     lastByPerson.put(said.person(), stated);
     return requests.state(said, stated);
   }
@@ -172,8 +190,8 @@ public final class Sayings {
                 .orElse(List.of()));
     Consumer<String> reply =
         phrase ->
-            agent.reply(
-                said.message(),
+            reply(
+                said,
                 ACLMessage.INFORM,
                 SayWords.replied(means, spoken.goals(said.utterance()).phrase(phrase)));
     if (last.isEmpty()) {
@@ -235,14 +253,14 @@ public final class Sayings {
     ReadingRights rights = requests.rights(said.message(), said.words());
     Optional<String> objection = rights.objection(formula);
     if (objection.isPresent()) {
-      agent.refuse(said.message(), ACLMessage.REFUSE, objection.get());
+      refuse(said, objection.get());
       return;
     }
     Question question = new Question(knowledge.snapshot(), rights);
     List<Answer> bound = likely(question, formula, rights);
     List<Answer> answers = bound.isEmpty() ? List.of(question.answerIf(formula)) : bound;
-    agent.reply(
-        said.message(),
+    reply(
+        said,
         ACLMessage.INFORM,
         SayWords.replied(means, sentence.apply(answers.stream().map(Sayings::found).toList())));
   }

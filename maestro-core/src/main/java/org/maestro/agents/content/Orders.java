@@ -126,6 +126,27 @@ public final class Orders {
     return Words.named(name, parts);
   }
 
+  /**
+   * An order for no goal, as by hand.
+   *
+   * @param client for whom it is asked, where that matters
+   * @param timeout simulated time that it may take
+   */
+  public static Content byHand(
+      String member,
+      String receiver,
+      String feature,
+      Map<String, Argument> parameters,
+      Optional<String> client,
+      Duration timeout) {
+    List<Content.Argument> arguments = new ArrayList<>(member(member, receiver));
+    client.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
+    arguments.add(Words.named("feature", Words.name(feature)));
+    arguments.add(Words.named("timeout", Words.number((double) timeout.toMillis())));
+    arguments.add(parameters("parameters", parameters));
+    return new Content("perform", arguments);
+  }
+
   /** How a step failed. */
   public static Content failure(Outcome outcome, ActionDispatcher.Report report) {
     List<Content.Argument> refs = new ArrayList<>();

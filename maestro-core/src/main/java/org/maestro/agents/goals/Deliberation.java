@@ -13,6 +13,8 @@ import java.util.function.Supplier;
 import org.maestro.agents.calls.OwnMember;
 import org.maestro.agents.content.ArbitrationWords;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.FacedMessenger;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.negotiation.AclActionDispatcher;
 import org.maestro.agents.negotiation.AclContractNet;
 import org.maestro.agents.negotiation.AclMessenger;
@@ -30,6 +32,7 @@ import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.Thinking;
+import org.maestro.coordination.api.Worth;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -47,6 +50,7 @@ public final class Deliberation {
   private final MaestroAgent agent;
   private final Clock clock;
   private final ReasoningServices mind;
+  private final Faces faces;
   private final Contracts contracts = new Contracts();
   private final AclActionDispatcher dispatcher;
   private final Coordinator coordinator;
@@ -54,17 +58,23 @@ public final class Deliberation {
   private final Map<String, AID> agentByMember = new HashMap<>();
   private volatile boolean ended;
 
-  /** Of an agent that orders other agents by messages. */
+  /**
+   * Of an agent that orders other agents by messages.
+   *
+   * @param faces at which it is seen while it speaks
+   */
   public Deliberation(
       MaestroAgent agent,
       Clock clock,
       ReasoningServices mind,
       Story story,
       Journal journal,
-      ProtocolViolations misconduct) {
+      ProtocolViolations misconduct,
+      Faces faces) {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
+    this.faces = faces;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
     this.dispatcher =
         new AclActionDispatcher(
@@ -80,6 +90,7 @@ public final class Deliberation {
    *
    * @param prefix before its goals' numbers
    * @param own the member that is the agent's own; empty: it orders other agents
+   * @param faces at which it is seen while it speaks
    */
   public Deliberation(
       MaestroAgent agent,
@@ -89,10 +100,12 @@ public final class Deliberation {
       Journal journal,
       String prefix,
       ProtocolViolations misconduct,
-      Optional<OwnMember> own) {
+      Optional<OwnMember> own,
+      Faces faces) {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
+    this.faces = faces;
     this.dispatcher =
         new AclActionDispatcher(
             agent,
@@ -125,7 +138,17 @@ public final class Deliberation {
             clock,
             story,
             journal)
-        .with(new AclMessenger(agent));
+        .with(new FacedMessenger(new AclMessenger(agent), faces, this::timeUsed));
+  }
+
+  /** A goal of which nobody says what it is worth has all the time there is. */
+  private double timeUsed(String goalId) {
+    return coordinator.goals().stream()
+        .filter(goal -> goal.id().equals(goalId))
+        .flatMap(goal -> goal.worth().stream())
+        .mapToDouble(Worth::timeUsed)
+        .findFirst()
+        .orElse(0);
   }
 
   public Coordinator coordinator() {

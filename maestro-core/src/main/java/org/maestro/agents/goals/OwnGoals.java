@@ -15,6 +15,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.ContractWords;
 import org.maestro.agents.content.GoalWords;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.AnswerRefusal;
@@ -52,6 +53,7 @@ public final class OwnGoals {
   private final String name;
   private final Clock clock;
   private final UnmetConditions lacking;
+  private final Faces faces;
   private final Deliberation deliberation;
   private final Predicate<String> scripts;
   private final Map<Formula, Own> goals = new LinkedHashMap<>();
@@ -79,6 +81,7 @@ public final class OwnGoals {
     this.name = name;
     this.clock = clock;
     this.scripts = word -> mind.knowledge().home().scripts().containsKey(word);
+    this.faces = new Faces(agent, name, mind.knowledge());
     String prefix = name + "-";
     Past own = past.of(prefix);
     this.journal = new AgentJournal(agent, clock, own.journal());
@@ -96,12 +99,18 @@ public final class OwnGoals {
             journal,
             prefix,
             (goal, sentence) -> LOG.warn("{}: {}", goal, sentence),
-            member);
+            member,
+            faces);
   }
 
   /** The manager of these goals, for what else its agent is asked to do. */
   public Coordinator manager() {
     return deliberation.coordinator();
+  }
+
+  /** At which its agent is seen. */
+  public Faces faces() {
+    return faces;
   }
 
   public void begin() {

@@ -12,6 +12,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.SpokenWords;
@@ -42,6 +43,7 @@ public final class RoomListening {
    * @param isMember whether a device is one of the room's
    * @param goals what others ask of its own manager of goals
    * @param own what it does itself
+   * @param faces at which it is seen
    */
   public RoomListening(
       MaestroAgent agent,
@@ -50,7 +52,8 @@ public final class RoomListening {
       KnowledgeBase knowledge,
       Dialogues dialogues,
       GoalRequests goals,
-      Sayings own) {
+      Sayings own,
+      Faces faces) {
     this.agent = agent;
     this.name = name;
     this.isMember = isMember;
@@ -58,7 +61,7 @@ public final class RoomListening {
     this.dialogues = dialogues;
     this.goals = goals;
     this.own = own;
-    this.others = new RoundOfRooms(agent, name, knowledge::home);
+    this.others = new RoundOfRooms(agent, name, knowledge::home, faces);
   }
 
   /** Somebody says something, here, or where it was not understood. */

@@ -9,8 +9,10 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.maestro.agents.centre.Said;
 import org.maestro.agents.content.Replies;
+import org.maestro.agents.content.SaidReply;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.faces.Faces;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.dialogue.SpokenWords;
 import org.maestro.dialogue.Utterance;
@@ -30,12 +32,15 @@ final class RoundOfRooms {
   private final MaestroAgent agent;
   private final String name;
   private final Supplier<Home> home;
+  private final Faces faces;
 
   /**
    * @param name of the agent that passes things on
+   * @param faces at which it is seen
    */
-  RoundOfRooms(MaestroAgent agent, String name, Supplier<Home> home) {
+  RoundOfRooms(MaestroAgent agent, String name, Supplier<Home> home, Faces faces) {
     this.agent = agent;
+    this.faces = faces;
     this.name = name;
     this.home = home;
   }
@@ -92,6 +97,7 @@ final class RoundOfRooms {
           @Override
           public void notUnderstood(String reason) {
             agent.refuse(said.message(), ACLMessage.REFUSE, reason);
+            faces.answered(said.utterance(), new SaidReply.Refused(reason));
           }
         });
   }

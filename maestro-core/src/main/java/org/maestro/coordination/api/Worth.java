@@ -36,12 +36,16 @@ public record Worth(
 
   /** g, which stays at its upper bound once the time is over. */
   public double urgency() {
+    return timeUsed() * (urgencyTo - urgencyFrom) + urgencyFrom;
+  }
+
+  /** The share of its time that is over, 0 to 1; 0 where it has all the time there is. */
+  public double timeUsed() {
     if (allowed.isEmpty()) {
-      return urgencyFrom;
+      return 0;
     }
     double total = allowed.get().toNanos();
-    double share = total <= 0 ? 1 : Math.max(0, Math.min(1, elapsed.toNanos() / total));
-    return share * (urgencyTo - urgencyFrom) + urgencyFrom;
+    return total <= 0 ? 1 : Math.max(0, Math.min(1, elapsed.toNanos() / total));
   }
 
   /** u·g; empty while the benefit is not known. */

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.maestro.console.access.Access;
 import org.maestro.console.access.Readership;
 import org.maestro.console.api.AnswerOperations;
@@ -40,13 +41,16 @@ public final class Console implements AutoCloseable {
   private static final Duration MEASURED = Duration.ofSeconds(10);
 
   private final ConsoleServer server;
+  private final Predicate<String> isFaceShown;
   private final List<Runnable> ends;
 
   /**
+   * @param isFaceShown whether a page shows the face of that member
    * @param ends of its parts, in the order in which they are to end
    */
-  private Console(ConsoleServer server, List<Runnable> ends) {
+  private Console(ConsoleServer server, Predicate<String> isFaceShown, List<Runnable> ends) {
     this.server = server;
+    this.isFaceShown = isFaceShown;
     this.ends = ends;
   }
 
@@ -87,7 +91,12 @@ public final class Console implements AutoCloseable {
             after -> history.answered(Answerer.AGENTS, after));
     Recording recording = new Recording(events, history, MEASURED);
     Traffic traffic =
-        new Traffic(platform, name, observer, after -> history.answered(Answerer.MEMBERS, after));
+        new Traffic(
+            platform,
+            name,
+            observer,
+            readership,
+            after -> history.answered(Answerer.MEMBERS, after));
     Talk talk =
         new Talk(platform, questions.of(readership.nameOfAll()), readership, serving.paraphraser());
     Preview preview = new Preview(platform.knowledge(), platform::presentMembers);
@@ -137,7 +146,8 @@ public final class Console implements AutoCloseable {
                 "/events", events,
                 "/events/bus", traffic.busNews(),
                 "/events/chat", talk.news(),
-                "/events/conversations", traffic.mailNews()));
+                "/events/conversations", traffic.mailNews(),
+                "/events/faces", traffic.faceNews()));
     platform.onStory(events::told);
     platform.onStory(metrics::told);
     events.start();
@@ -146,6 +156,7 @@ public final class Console implements AutoCloseable {
     recording.begin();
     return new Console(
         server,
+        traffic.faceNews()::isShown,
         List.of(
             server::close,
             preview::close,
@@ -172,6 +183,15 @@ public final class Console implements AutoCloseable {
   /** Where the page is. */
   public URI uri() {
     return server.uri();
+  }
+
+  /**
+   * Whether a page in somebody's browser shows the face of a member now. Any thread may ask.
+   *
+   * @param member its id
+   */
+  public boolean isFaceShown(String member) {
+    return isFaceShown.test(member);
   }
 
   @Override

@@ -47,6 +47,9 @@ final class ConsoleServer implements AutoCloseable {
   /** Under which a stream finds who listens. */
   private static final String VISIT = "visit";
 
+  /** The parameter by which who listens names what is shown. */
+  private static final String CHOSEN = "of";
+
   /** Of the version in the POM; where there is no such directory, no server starts. */
   private static final String CHARTS = "/META-INF/resources/webjars/uplot/1.6.30";
 
@@ -172,7 +175,8 @@ final class ConsoleServer implements AutoCloseable {
         at,
         client -> {
           Visit visit = Objects.requireNonNull(client.ctx().attribute(VISIT));
-          streams.serve(client, source, visit);
+          String chosen = Objects.requireNonNullElse(client.ctx().queryParam(CHOSEN), "");
+          streams.serve(client, source.of(chosen), visit);
         });
   }
 

@@ -10,4 +10,13 @@ interface EventSource {
   void listen(EventQueue listener, Runnable then);
 
   void leave(EventQueue listener);
+
+  /**
+   * The same for who wants to hear of one thing above all; most tell everybody the same.
+   *
+   * @param chosen its name; "" of none
+   */
+  default EventSource of(String chosen) {
+    return this;
+  }
 }

@@ -41,6 +41,7 @@ final class Talk implements AutoCloseable {
       Paraphraser paraphraser) {
     this.platform = platform;
     this.readership = readership;
+    FacesOfTalk faces = new FacesOfTalk(platform.desk(), platform.knowledge());
     this.chat =
         new Chat(
             platform.knowledge()::home,
@@ -51,7 +52,8 @@ final class Talk implements AutoCloseable {
                     platform::instant,
                     platform::now,
                     platform::presentMembers,
-                    readership),
+                    readership,
+                    faces::show),
                 questions,
                 stories,
                 platform.dialogues()::with,

@@ -6,10 +6,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
+import org.maestro.console.access.Readership;
 import org.maestro.console.api.Operation;
 import org.maestro.console.api.TrafficOperations;
+import org.maestro.console.faces.FaceStates;
 import org.maestro.console.trace.Traces;
 import org.maestro.console.traffic.BusTraffic;
 import org.maestro.console.traffic.CallMessages;
@@ -43,16 +46,26 @@ final class Traffic implements AutoCloseable {
           });
   private final Broadcast busNews;
   private final Broadcast mailNews;
+  private final FaceStates faces;
+  private final Broadcast facesNews;
+  private final FaceNews faceNews;
   private Runnable endOfMail = () -> {};
   private List<Future<?>> rounds = List.of();
 
   /**
    * @param name of the platform, and of its site on the bus
    * @param transport of a client that only listens; not open yet
+   * @param readership who may read what is private
    * @param answered told how long members take to answer
    */
-  Traffic(MaestroPlatform platform, String name, Transport transport, Consumer<Duration> answered) {
+  Traffic(
+      MaestroPlatform platform,
+      String name,
+      Transport transport,
+      Readership readership,
+      Consumer<Duration> answered) {
     this.platform = platform;
+    this.faces = new FaceStates(name, platform.knowledge()::home, readership::ofAll);
     this.roundTrips = new RoundTrips(answered);
     this.calls = new CallMessages(name);
     this.traces = new Traces(name, platform::now);
@@ -65,6 +78,8 @@ final class Traffic implements AutoCloseable {
             platform::containersElsewhere);
     this.busNews = new Broadcast("bus", bus, thread);
     this.mailNews = new Broadcast("conversations", mail, thread);
+    this.facesNews = new Broadcast("faces", faces, thread);
+    this.faceNews = new FaceNews(facesNews);
   }
 
   /** The desk's question, and the search of the yellow pages that it makes the supervisor do. */
@@ -76,6 +91,7 @@ final class Traffic implements AutoCloseable {
   }
 
   private void heard(Message message) {
+    faces.heard(message);
     calls
         .read(message)
         .ifPresent(
@@ -91,7 +107,9 @@ final class Traffic implements AutoCloseable {
   }
 
   List<Operation> operations() {
-    return TrafficOperations.of(bus, mail, traces);
+    return Stream.concat(
+            TrafficOperations.of(bus, mail, traces).stream(), Stream.of(faces.operation()))
+        .toList();
   }
 
   EventSource busNews() {
@@ -100,6 +118,10 @@ final class Traffic implements AutoCloseable {
 
   EventSource mailNews() {
     return mailNews;
+  }
+
+  FaceNews faceNews() {
+    return faceNews;
   }
 
   /** From now on it is listened to. */
@@ -113,7 +135,7 @@ final class Traffic implements AutoCloseable {
           endOfTraces.run();
         };
     bus.listen();
-    rounds = List.of(busNews.begin(), mailNews.begin());
+    rounds = List.of(busNews.begin(), mailNews.begin(), facesNews.begin());
   }
 
   @Override

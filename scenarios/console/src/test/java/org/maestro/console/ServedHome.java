@@ -217,11 +217,11 @@ final class ServedHome implements AutoCloseable {
     }
     more.accept(settings);
     LocalSite site = LocalSite.paced(settings.build(), SPEED);
-    return new ServedHome(
-        site,
+    Console console =
         Console.start(
-            site.platform(), site.observer(), name, serving, data, truth.apply(site), "1.2.3"),
-        client);
+            site.platform(), site.observer(), name, serving, data, truth.apply(site), "1.2.3");
+    site.simulated().facesAreShownBy(console::isFaceShown);
+    return new ServedHome(site, console, client);
   }
 
   /** Where Bob and what he asks for truly are, and what the lamps and the door are at. */

@@ -112,18 +112,23 @@ final class ConsoleOptions {
       Endpoint at,
       Optional<SiteSecurity> security,
       Optional<Path> data) {
-    return Console.start(
-        site.platform(),
-        site.observer(),
-        name,
-        new Serving(
-            at.host(),
-            at.port(),
-            security,
-            opinion.paraphraser(PATIENCE).orElse(Paraphraser.NOBODY)),
-        data,
-        site.isSimulated() ? Optional.of(SimulatedTruth.of(site)) : Optional.empty(),
-        Version.number());
+    Console console =
+        Console.start(
+            site.platform(),
+            site.observer(),
+            name,
+            new Serving(
+                at.host(),
+                at.port(),
+                security,
+                opinion.paraphraser(PATIENCE).orElse(Paraphraser.NOBODY)),
+            data,
+            site.isSimulated() ? Optional.of(SimulatedTruth.of(site)) : Optional.empty(),
+            Version.number());
+    if (site.isSimulated()) {
+      site.simulated().facesAreShownBy(console::isFaceShown);
+    }
+    return console;
   }
 
   /** Where it is, or why there is none. */
@@ -140,6 +145,7 @@ final class ConsoleOptions {
         .orElse(
             isOff()
                 ? "It has no console (--console off)."
-                : "It has no console: the site's files were made before there was one; ./maestro secure DIR adds what it needs.");
+                : "It has no console: the site's files were made before there was one; ./maestro"
+                      + " secure DIR adds what it needs.");
   }
 }

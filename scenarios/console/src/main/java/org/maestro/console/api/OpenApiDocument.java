@@ -74,6 +74,13 @@ public final class OpenApiDocument {
         "The conversations between agents, as server-sent events of the name conversations, each a"
             + " document as that of /conversations: first all, then those in which something is"
             + " said.");
+    events(
+        paths,
+        "/events/faces",
+        "faceEvents",
+        "What the faces of the home show, as server-sent events of the name faces, each a document"
+            + " as that of /faces: first all, then those that show something else. Who shows one"
+            + " names it, as in /events/faces?of=screen-living.");
     ObjectNode components = document.putObject("components");
     components.putObject("schemas").setAll(schemas);
     components

@@ -108,12 +108,12 @@ public final class HomeInterlocutor implements Interlocutor {
             .map(Group::id)
             .filter(its -> isSpoken(utterance));
     if (agent.isEmpty()) {
-      answer(utterance, listener);
+      answer(utterance, seen(utterance, listener));
       return;
     }
     Utterance heard = utterance.heardBy(agent.get());
     if (isNaming() || spoken.grasp(heard).isUnderstood()) {
-      answer(heard, voice(agent.get(), listener));
+      answer(heard, voice(heard, listener));
       return;
     }
     questions
@@ -121,13 +121,24 @@ public final class HomeInterlocutor implements Interlocutor {
         .thenAccept(who -> passOn(heard, who, listener))
         .exceptionally(
             nobody -> {
-              answer(heard, voice(agent.get(), listener));
+              answer(heard, voice(heard, listener));
               return null;
             });
   }
 
-  private Consumer<ChatEvent> voice(String agent, Consumer<ChatEvent> listener) {
-    return Voice.of(Voice.persona(around.home().get(), agent), listener);
+  /** In that of the room's agent that hears it. */
+  private Consumer<ChatEvent> voice(Utterance heard, Consumer<ChatEvent> listener) {
+    return seen(
+        heard,
+        Voice.of(Voice.persona(around.home().get(), heard.listener().orElseThrow()), listener));
+  }
+
+  /** A face says it without who speaks before it, as that is seen. */
+  private Consumer<ChatEvent> seen(Utterance heard, Consumer<ChatEvent> listener) {
+    return event -> {
+      around.seen().accept(heard, event);
+      listener.accept(event);
+    };
   }
 
   /** Who hears several voices is told who answers, and what asking has taken. */
@@ -137,12 +148,13 @@ public final class HomeInterlocutor implements Interlocutor {
     String first = heard.listener().orElseThrow();
     Optional<String> other = Voice.persona(home, who.agent());
     if (other.isPresent() && !other.equals(Voice.persona(home, first))) {
-      voice(first, listener)
+      voice(heard, listener)
           .accept(
               new ChatEvent.Told(
                   "", spoken.goals(heard).passedOn(other.get(), who.laterSeconds())));
     }
-    answer(heard.heardBy(who.agent()), voice(who.agent(), listener));
+    Utterance understood = heard.heardBy(who.agent());
+    answer(understood, voice(understood, listener));
   }
 
   /** Whether it may say which of several goals is to be called off. */

@@ -3,8 +3,10 @@ package org.maestro.console.chat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Collection;
+import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.maestro.console.access.Readership;
+import org.maestro.dialogue.Utterance;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.Home;
 
@@ -16,6 +18,7 @@ import org.maestro.ontology.home.Home;
  * @param now simulated time since the platform's start
  * @param present the members that can be used
  * @param readership who may read what is private
+ * @param seen told each answer, with what it answers and as whom, for faces to show it
  */
 public record Surroundings(
     Supplier<Home> home,
@@ -23,4 +26,5 @@ public record Surroundings(
     Supplier<Instant> clock,
     Supplier<Duration> now,
     Supplier<Collection<String>> present,
-    Readership readership) {}
+    Readership readership,
+    BiConsumer<Utterance, ChatEvent> seen) {}

@@ -33,9 +33,23 @@ public final class FactsDocument {
     return add(JsonMembers.empty(), belief, snapshot).node();
   }
 
+  /** What one says, without who says so. */
+  public static JsonNode parts(String fact) {
+    return parts(JsonMembers.empty(), fact).node();
+  }
+
   static JsonMembers add(JsonMembers row, Belief belief, Snapshot snapshot) {
-    row.text("fact", belief.fact());
-    Fact fact = SlParser.fact(belief.fact());
+    return parts(row, belief.fact())
+        .text("source", belief.source().agent())
+        .text("kind", belief.source().kind().name().toLowerCase(Locale.ROOT))
+        .text("since", belief.since().toString())
+        .number("age_s", belief.age(snapshot.at()).toMillis() / 1000.0)
+        .number("confidence", belief.confidence());
+  }
+
+  private static JsonMembers parts(JsonMembers row, String text) {
+    row.text("fact", text);
+    Fact fact = SlParser.fact(text);
     if (fact instanceof Fact.Equation equation) {
       parts(row, equation.fluent().name(), equation.fluent().arguments());
       row.node().set("value", JsonMembers.value(equation.value()));
@@ -49,11 +63,7 @@ public final class FactsDocument {
       parts(row, unknown.atom().predicate(), unknown.atom().arguments());
       row.node().putNull("value");
     }
-    return row.text("source", belief.source().agent())
-        .text("kind", belief.source().kind().name().toLowerCase(Locale.ROOT))
-        .text("since", belief.since().toString())
-        .number("age_s", belief.age(snapshot.at()).toMillis() / 1000.0)
-        .number("confidence", belief.confidence());
+    return row;
   }
 
   private static void parts(JsonMembers row, String word, List<Term> arguments) {

@@ -2,7 +2,6 @@ package org.maestro.console.questions;
 
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -99,11 +98,6 @@ public final class AclCalls {
     Map<String, Argument> named = new TreeMap<>();
     parameters.forEach(
         (name, value) -> named.put(name, new Argument(value, Optional.empty(), Map.of())));
-    List<Content.Argument> arguments = new ArrayList<>(Orders.member(member, agent));
-    person.ifPresent(name -> arguments.add(Words.named("for", Words.text(name))));
-    arguments.add(Words.named("feature", Words.name(feature)));
-    arguments.add(Words.named("timeout", Words.number((double) timeout.toMillis())));
-    arguments.add(Orders.parameters("parameters", named));
-    return new Content("perform", arguments);
+    return Orders.byHand(member, agent, feature, named, person, timeout);
   }
 }

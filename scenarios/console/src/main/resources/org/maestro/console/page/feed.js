@@ -114,6 +114,7 @@ function send(method, path, body) {
 }
 
 export const ask = {
+  home: () => request("/home"),
   session: () => request("/session"),
   signIn: (name, password) => send("POST", "/session", { name, password }),
   signOut: () => request("/session", { method: "DELETE" }),
@@ -255,12 +256,19 @@ function whileSeen(open, left = () => {}) {
   };
 }
 
-/** Hears one stream of its own for as long as somebody looks at it; what is returned ends that. */
-export function listen(name, heard) {
+/**
+ * Hears one stream of its own for as long as somebody looks at it; what is returned ends that.
+ * What is heard above all may be said, and how the link is be told: live, lost, or closed for good.
+ */
+export function listen(name, heard, { of = "", link = () => {} } = {}) {
   return whileSeen(() => {
-    const events = new EventSource(`${ROOT}/events/${name}`);
+    const events = new EventSource(`${ROOT}/events/${name}${of === "" ? "" : `?of=${encodeURIComponent(of)}`}`);
     let isFirst = true;
-    events.addEventListener("open", () => { isFirst = true; });
+    events.addEventListener("open", () => {
+      isFirst = true;
+      link("live");
+    });
+    events.addEventListener("error", () => link(events.readyState === EventSource.CLOSED ? "closed" : "lost"));
     events.addEventListener(name, (event) => {
       heard(JSON.parse(event.data), isFirst);
       isFirst = false;
