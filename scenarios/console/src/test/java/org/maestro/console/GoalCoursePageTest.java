@@ -92,7 +92,7 @@ class GoalCoursePageTest {
     browser.run(
         "const plans = document.getElementById('course-plan');"
             + " plans.value = '%d'; plans.dispatchEvent(new Event('change'));".formatted(number));
-    browser.waitForText("#detail .about", "Plan " + number + ". ");
+    browser.waitForText("#detail .about", "Plan " + number);
   }
 
   @Test
