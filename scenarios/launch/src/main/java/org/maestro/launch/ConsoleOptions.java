@@ -146,6 +146,6 @@ final class ConsoleOptions {
             isOff()
                 ? "It has no console (--console off)."
                 : "It has no console: the site's files were made before there was one; ./maestro"
-                      + " secure DIR adds what it needs.");
+                    + " secure DIR adds what it needs.");
   }
 }

@@ -1,4 +1,4 @@
-package org.maestro.junit;
+package org.maestro.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -21,6 +21,10 @@ import org.maestro.hal.FaceState;
 import org.maestro.hal.FacialExpression;
 import org.maestro.hal.Gaze;
 import org.maestro.hal.HeadGesture;
+import org.maestro.junit.Pursuit;
+import org.maestro.junit.Speaker;
+import org.maestro.junit.Stage;
+import org.maestro.junit.Unfinished;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.sim.scene.SceneLoader;
