@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -34,6 +35,8 @@ public final class TablesTold {
   public void list(ACLMessage message) {
     SearchConstraints all = new SearchConstraints();
     all.setMaxResults(-1L);
+    // They know nothing of a stepped clock, which would go on while they look.
+    Clock.Ticket asked = supervisor.clock().hold("the yellow pages");
     supervisor.ask(
         DFService.createRequestMessage(
             supervisor,
@@ -42,11 +45,13 @@ public final class TablesTold {
             new DFAgentDescription(),
             all),
         ANSWER_WITHIN,
-        answer ->
-            supervisor.reply(
-                message,
-                ACLMessage.INFORM,
-                containers.tables(services(answer)).toArray(Content[]::new)));
+        answer -> {
+          asked.close();
+          supervisor.reply(
+              message,
+              ACLMessage.INFORM,
+              containers.tables(services(answer)).toArray(Content[]::new));
+        });
   }
 
   private static Map<String, Set<String>> services(ACLMessage answer) {
