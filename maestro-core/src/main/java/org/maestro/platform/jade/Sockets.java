@@ -6,14 +6,17 @@ import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
+import java.util.concurrent.locks.LockSupport;
 
 /** Addresses and ports of this machine, and whether somebody answers at others. */
 public final class Sockets {
   private static final int LOWEST_PORT = 20_000;
   private static final int HIGHEST_PORT = 32_000;
   private static final int MOST_ATTEMPTS = 1_000;
+  private static final Duration BETWEEN_LOOKS = Duration.ofMillis(100);
 
   private Sockets() {}
 
@@ -79,8 +82,16 @@ public final class Sockets {
             .formatted(host, last.map(IOException::getMessage).orElse("none was tried")));
   }
 
-  static boolean isFree(String host, int port) {
+  public static boolean isFree(String host, int port) {
     return whyNotFree(host, port).isEmpty();
+  }
+
+  /** Returns when it is free, or when that lasts too long. */
+  public static void awaitFree(String host, int port, Duration atMost) {
+    long until = System.nanoTime() + atMost.toNanos();
+    while (!isFree(host, port) && System.nanoTime() < until) {
+      LockSupport.parkNanos(BETWEEN_LOOKS.toNanos());
+    }
   }
 
   private static Optional<IOException> whyNotFree(String host, int port) {

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
@@ -22,6 +23,7 @@ import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.hosts.HostFile;
 import org.maestro.platform.hosts.HostStart;
 import org.maestro.platform.jade.Premises;
+import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.security.SiteSecurity;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -33,6 +35,9 @@ import picocli.CommandLine.Spec;
 @Command(name = "run", description = "Run a platform for a home until Ctrl-C.")
 final class RunCommand implements Callable<Integer> {
   private static final Pattern SLUG = Pattern.compile("[a-z0-9][a-z0-9-]{0,62}");
+
+  /** A machine under load may still be ending the process that has died. */
+  private static final Duration PORT_LET_GO_WITHIN = Duration.ofSeconds(30);
 
   /** Another process on this machine, of the Java and the classes of this one. */
   private static final List<String> HERE =
@@ -224,6 +229,11 @@ final class RunCommand implements Callable<Integer> {
     out.println("Standing by for the platform " + name + ". Stop with Ctrl-C.");
     LeaderLock taken = LeaderLock.await(kept);
     out.println("The platform " + name + " has died; this process takes over.");
+    String address = premises().host();
+    if (!Sockets.isFree(address, port)) {
+      out.println("Port " + port + " is in use still; waiting for it.");
+      Sockets.awaitFree(address, port, PORT_LET_GO_WITHIN);
+    }
     return taken;
   }
 

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -30,6 +32,7 @@ import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.bench.losses.PostOffice;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.failover.LeaderLock;
 import org.maestro.platform.jade.PlatformStartException;
 import org.maestro.platform.jade.Sockets;
 import org.maestro.rats.time.PacedClock;
@@ -59,6 +62,25 @@ class MainDeathTest {
   @Tag("full")
   void aFrozenOneIsEndedAndTheGoalIsReached() throws Exception {
     System.out.printf("main frozen, answers again after %.2f s%n", lost(JavaProcess::freeze));
+  }
+
+  /** The lock of the one before it is let go by the system, and so is its port, not at once. */
+  @Test
+  void aPortThatIsLetGoLateIsWaitedFor() throws Exception {
+    int port = Sockets.claim(0);
+    try (PostOffice office = new PostOffice(List.of(1, 1))) {
+      Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
+      Path data = Files.createDirectories(directory.resolve("data"));
+      try (LeaderLock duty = LeaderLock.tryToTake(data).orElseThrow();
+          ServerSocket holder = new ServerSocket(port, 1, InetAddress.getByName("127.0.0.1"));
+          JavaProcess second = run(office, home, port, "--standby")) {
+        until(() -> second.output().contains("Standing by"), second);
+        duty.close();
+        until(() -> second.output().contains("is in use still; waiting for it."), second);
+        holder.close();
+        until(() -> second.output().contains(" runs: "), second);
+      }
+    }
   }
 
   /** The agents know the words of the home, which the process that has joined has no file of. */
