@@ -20,9 +20,9 @@ public final class Physics {
 
   /**
    * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
-   * doors, lamps behind switches, sensors of persons, charging stations. And the shades of white,
-   * of which light and detection do not depend and for which no goal of an experiment asks. What
-   * exploration alone has it names itself.
+   * doors, lamps behind switches, sensors of persons, charging stations, thermometers and the
+   * rooms' warmth, ears and faces. And the shades of white, of which light and detection do not
+   * depend and for which no goal of an experiment asks. What exploration alone has it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
@@ -41,6 +41,9 @@ public final class Physics {
           "world.drives.relaySeconds",
           "world.battery.chargingWatts",
           "world.lamp.white",
+          "world.climate.",
+          "world.thermometer.",
+          "world.speech.",
           "world.signal.");
 
   private Physics() {}
