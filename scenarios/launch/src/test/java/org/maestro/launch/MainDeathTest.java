@@ -71,14 +71,17 @@ class MainDeathTest {
     try (PostOffice office = new PostOffice(List.of(1, 1))) {
       Path home = Files.writeString(directory.resolve("post.ttl"), office.homeText());
       Path data = Files.createDirectories(directory.resolve("data"));
-      try (LeaderLock duty = LeaderLock.tryToTake(data).orElseThrow();
-          ServerSocket holder = new ServerSocket(port, 1, InetAddress.getByName("127.0.0.1"));
-          JavaProcess second = run(office, home, port, "--standby")) {
+      LeaderLock duty = LeaderLock.tryToTake(data).orElseThrow();
+      ServerSocket holder = new ServerSocket(port, 1, InetAddress.getByName("127.0.0.1"));
+      try (JavaProcess second = run(office, home, port, "--standby")) {
         until(() -> second.output().contains("Standing by"), second);
         duty.close();
         until(() -> second.output().contains("is in use still; waiting for it."), second);
         holder.close();
         until(() -> second.output().contains(" runs: "), second);
+      } finally {
+        duty.close();
+        holder.close();
       }
     }
   }
