@@ -12,16 +12,11 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.maestro.coordination.achievement.AchievementGoal;
-import org.maestro.coordination.achievement.CallGoal;
-import org.maestro.coordination.achievement.FeatureCall;
 import org.maestro.coordination.agenda.Beginnings;
-import org.maestro.coordination.agenda.EntryGoal;
 import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.api.AnswerRefusal;
 import org.maestro.coordination.api.ComponentWant;
 import org.maestro.coordination.api.Former;
-import org.maestro.coordination.api.GoalCheck;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalPriority;
@@ -29,34 +24,24 @@ import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.HeldNews;
 import org.maestro.coordination.api.InvalidGoalException;
-import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
-import org.maestro.coordination.api.Latest;
 import org.maestro.coordination.api.PlanRecord;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Respondent;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.ScriptStep;
-import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.Takeover;
 import org.maestro.coordination.api.WaitsFor;
-import org.maestro.coordination.composites.CompositeActions;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
 import org.maestro.coordination.facts.FactFilter;
-import org.maestro.coordination.lessons.VainDeeds;
-import org.maestro.coordination.limits.GoalsOfPersons;
-import org.maestro.coordination.limits.RefusedGoal;
-import org.maestro.coordination.maintenance.MaintenanceGoal;
-import org.maestro.coordination.maintenance.Reaching;
 import org.maestro.coordination.maintenance.Wish;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.FormerParts;
 import org.maestro.coordination.recovery.JournaledDispatcher;
 import org.maestro.coordination.recovery.RecoveryBarrier;
 import org.maestro.coordination.scripts.ScriptGoal;
-import org.maestro.coordination.scripts.Subgoals;
 import org.maestro.coordination.story.Decision;
 import org.maestro.coordination.story.Decisions;
 import org.maestro.coordination.story.PlanRecords;
@@ -66,7 +51,6 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.MemberCondition;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.NamedPoints;
-import org.maestro.ontology.home.PrivateWords;
 import org.maestro.ontology.home.Script;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
@@ -79,31 +63,20 @@ import org.maestro.sl.Formula;
  * <p>Source: Three-layered architecture, abstract, 2, 3.2.2 and 3.3.3 (M4, M17, M21, M55, M76).
  */
 public final class Coordinator {
-  private static final long MOST_BYTES_OF_EXPLAINED = 1 << 20;
-
-  private static final long MOST_BYTES_OF_ENDED = 512 << 10;
-  private static final long BYTES_OF_A_REQUEST = 512;
-
   private final Ports ports;
   private final FormerFacts former;
   private final JournaledDispatcher dispatcher;
-  private final ScriptsInPlans runs;
-  private final CompositeActions composites;
-  private final GoalsOfPersons persons;
+  private final RequestedGoals requested;
+  private final Attendance attendance;
   private final Roster roster = new Roster();
   private final Appraisals appraisals;
   private final ActiveGoals activeGoals;
   private final ExactPrices exactPrices = new ExactPrices();
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
-  private final Latest<Recovery.EndedGoal> ended =
-      new Latest<>(MOST_BYTES_OF_ENDED, goal -> BYTES_OF_A_REQUEST + goal.outcome().bytes());
+  private final EndedGoals ended = new EndedGoals();
   private final RecoveryBarrier comeback = new RecoveryBarrier();
   private final Map<String, Clock.Timer> deadlines = new HashMap<>();
   private final String prefix;
-  private final Latest<Decisions> explained =
-      new Latest<>(MOST_BYTES_OF_EXPLAINED, Decisions::bytes);
-  private final Latest<PlanRecords> planned =
-      new Latest<>(MOST_BYTES_OF_EXPLAINED, PlanRecords::bytes);
   private final BegunGoals begun = new BegunGoals();
   private int lastNumber;
 
@@ -125,10 +98,17 @@ public final class Coordinator {
     this.appraisals = new Appraisals(this.ports, this::progress, this::ranked);
     this.activeGoals =
         new ActiveGoals(ports.clock(), ports.owner(), appraisals, ports.dispatcher());
-    this.runs = new ScriptsInPlans(this.ports, activeGoals, new PartsOfScripts());
-    this.composites = new CompositeActions(this.ports, runs);
-    this.persons = new GoalsOfPersons(this.ports);
-    if (usesScripts()) {
+    this.requested =
+        new RequestedGoals(
+            this.ports,
+            prefix.equals(GoalId.CENTRAL),
+            roster,
+            activeGoals,
+            exactPrices,
+            dispatcher,
+            begun);
+    this.attendance = new Attendance(this.ports, roster, comeback, exactPrices, activeGoals);
+    if (requested.areScriptsSteps()) {
       roster.present(Script.PLANNED_AS, Optional.empty());
     }
   }
@@ -161,7 +141,7 @@ public final class Coordinator {
    */
   public String submit(
       GoalRequest stated, Answer answer, Consumer<HeldNews> news, Consumer<GoalOutcome> ended) {
-    GoalRequest request = checked(stated);
+    GoalRequest request = requested.checked(stated);
     String id = begun.nextId();
     takeOn(id, request, answer, news, ended);
     return id;
@@ -177,16 +157,10 @@ public final class Coordinator {
    * @throws InvalidGoalException when it speaks of what nobody knows
    */
   public void hold(String name, GoalRequest rule, Consumer<GoalOutcome> told) {
-    new GoalCheck(ports.knowledge().home()).check(rule);
-    Ports unwritten = keeping(privateWords(rule), ports.with(Journal.none()));
-    ports.knowledge().admit(NamedPoints.of(rule.goal()));
     ActiveGoal pursuit =
-        new EntryGoal(
+        requested.rule(
             name,
             rule,
-            unwritten,
-            activeGoals,
-            begun,
             outcome -> {
               ended(new Recovery.EndedGoal(rule, outcome));
               told.accept(outcome);
@@ -194,12 +168,6 @@ public final class Coordinator {
     pursuits.put(name, pursuit);
     activeGoals.enter(pursuit, new GoalPriority(rule.priority(), rule.deadline(), 0));
     activeGoals.run(pursuit::start);
-  }
-
-  private GoalRequest checked(GoalRequest stated) {
-    GoalRequest request = ScriptGoal.weighed(stated, ports.knowledge().home().scripts());
-    new GoalCheck(ports.knowledge().home()).check(request);
-    return request;
   }
 
   private void takeOn(
@@ -253,7 +221,6 @@ public final class Coordinator {
       Consumer<HeldNews> news,
       Consumer<GoalOutcome> told) {
     GoalPriority standing = new GoalPriority(request.priority(), request.deadline(), number);
-    ports.knowledge().admit(NamedPoints.of(request.goal()));
     Consumer<GoalOutcome> over =
         outcome -> {
           Optional.ofNullable(deadlines.remove(id)).ifPresent(Clock.Timer::cancel);
@@ -261,41 +228,11 @@ public final class Coordinator {
           begun.ended(outcome);
           ports.journal().afterwards(() -> told.accept(outcome));
         };
-    VainDeeds deeds = new VainDeeds();
-    Reaching reaching =
-        (wish, with, then) ->
-            new AchievementGoal(id, wish, with, roster, activeGoals, exactPrices, deeds, then);
-    Optional<Script> script = ScriptGoal.script(request.goal(), ports.knowledge().home().scripts());
-    Set<String> kept = privateWords(request);
-    Ports own = persons.world(request, keeping(kept, ports).story());
-    Optional<String> objection = persons.objection(request);
-    CompositeActions composites = composites(own);
-    Ports world = keeping(kept, usesScripts() ? composites.ports() : own);
     ActiveGoal pursuit =
-        objection.isPresent()
-            ? new RefusedGoal(id, request, objection.get(), keeping(kept, ports), activeGoals, over)
-            : script.isPresent()
-                ? new ScriptGoal(
-                    id,
-                    request,
-                    script.get(),
-                    standing,
-                    keeping(kept, usesScripts() ? composites.within(script.get()) : own),
-                    activeGoals,
-                    new PartsOfScripts(),
-                    over)
-                : request.goal() instanceof Formula.Keep
-                    ? new MaintenanceGoal(
-                        new Wish(id, request, standing),
-                        world,
-                        activeGoals,
-                        exactPrices,
-                        reaching,
-                        heard -> ports.journal().afterwards(() -> news.accept(heard)),
-                        over)
-                    : request.goal() instanceof Formula.Bound
-                        ? new EntryGoal(id, request, keeping(kept, ports), activeGoals, begun, over)
-                        : reaching.pursuit(request, world, over);
+        requested.of(
+            new Wish(id, request, standing),
+            heard -> ports.journal().afterwards(() -> news.accept(heard)),
+            over);
     pursuits.put(id, pursuit);
     activeGoals.enter(pursuit, standing);
     if (!(request.goal() instanceof Formula.Bound)) {
@@ -303,52 +240,6 @@ public final class Coordinator {
     }
     request.deadline().ifPresent(deadline -> endAt(deadline, pursuit));
     return pursuit;
-  }
-
-  /** Scripts in plans, whose steps are limited as the goal is that has them. */
-  private CompositeActions composites(Ports own) {
-    return own.equals(ports) ? composites : new CompositeActions(own, runs);
-  }
-
-  private Set<String> privateWords(GoalRequest request) {
-    PrivateWords words = PrivateWords.of(ports.knowledge().home());
-    return request
-        .stakes()
-        .map(stakes -> words.usedFor(request.goal(), stakes.benefit()))
-        .orElseGet(() -> words.usedFor(request.goal()));
-  }
-
-  /** What is told of a goal that uses private words is not for everybody. */
-  private static Ports keeping(Set<String> words, Ports world) {
-    return words.isEmpty()
-        ? world
-        : world.with((Story) entry -> world.story().tell(entry.using(words)));
-  }
-
-  /** Only the central coordinator has all devices that a script may use. */
-  private boolean usesScripts() {
-    return prefix.equals(GoalId.CENTRAL) && composites.isAny();
-  }
-
-  /** Goals for parts of scripts; how a script as a whole is ended is no matter of theirs. */
-  private final class PartsOfScripts implements Subgoals {
-    @Override
-    public ActiveGoal reaching(
-        String id, GoalRequest request, Ports with, Consumer<GoalOutcome> ended) {
-      return new AchievementGoal(
-          id, request, with, roster, activeGoals, exactPrices, new VainDeeds(), ended);
-    }
-
-    @Override
-    public ActiveGoal calling(
-        String id, FeatureCall call, GoalRequest request, Ports with, Consumer<GoalOutcome> ended) {
-      return new CallGoal(id, call, request, with, roster, activeGoals, exactPrices, ended);
-    }
-
-    @Override
-    public void over(String id) {
-      dispatcher.over(id);
-    }
   }
 
   /** Goals that others begin; they are this coordinator's as all are. */
@@ -372,7 +263,12 @@ public final class Coordinator {
     public void begin(
         String goalId, GoalRequest request, Runnable accepted, Consumer<String> refused) {
       try {
-        takeOn(goalId, checked(request), answer(accepted, refused), news -> {}, outcome -> {});
+        takeOn(
+            goalId,
+            requested.checked(request),
+            answer(accepted, refused),
+            news -> {},
+            outcome -> {});
       } catch (InvalidGoalException e) {
         refused.accept(String.valueOf(e.getMessage()));
       }
@@ -426,13 +322,12 @@ public final class Coordinator {
   /** Of what is over little is kept: a platform pursues goals for as long as it runs. */
   private void ended(Recovery.EndedGoal goal) {
     String id = goal.outcome().id();
-    ended.put(id, goal);
+    ended.put(goal);
     dispatcher.over(id);
     ActiveGoal over = pursuits.remove(id);
     ports.knowledge().dismiss(NamedPoints.of(goal.request().goal()));
     appraisals.ended(goal.request(), goal.outcome());
-    explained.put(id, over.decisions());
-    planned.put(id, over.plans());
+    ended.keep(id, over);
   }
 
   private Optional<ActiveGoal> progress(String id) {
@@ -460,7 +355,7 @@ public final class Coordinator {
       Recovery recovery, Duration patience, Consumer<HeldNews> news, Consumer<GoalOutcome> told) {
     lastNumber = Math.max(lastNumber, recovery.lastGoalNumber());
     for (Recovery.EndedGoal goal : recovery.ended()) {
-      ended.put(goal.outcome().id(), goal);
+      ended.put(goal);
       appraisals.ended(goal.request(), goal.outcome());
     }
     if (recovery.goals().isEmpty() && recovery.unwanted().isEmpty()) {
@@ -471,7 +366,7 @@ public final class Coordinator {
       pursuit(goal.id(), goal.request(), GoalId.number(prefix, goal.id()), news, told)
           .prepareToTakeUp(goal, "for its devices to come back after the restart");
     }
-    FormerCalls former = new FormerCalls(usesScripts() ? composites.ports() : ports, roster);
+    FormerCalls former = new FormerCalls(requested.ports(), roster);
     comeback.afterwards(() -> activeGoals.run(() -> takeUp(recovery, former)));
     Clock clock = ports.clock();
     clock.schedule(patience, "comeback", () -> ports.owner().execute(comeback::giveUp));
@@ -480,7 +375,7 @@ public final class Coordinator {
   /** Goals with something under way go first: what their steps use is theirs. */
   private void takeUp(Recovery recovery, FormerCalls former) {
     FormerParts parts = new FormerParts(recovery, former);
-    runs.takeUp(parts);
+    requested.takeUp(parts);
     recovery.unwanted().forEach(call -> former.giveUp(call, "nobody wants it"));
     recovery.goals().stream()
         .sorted(Comparator.comparing(goal -> !goal.hasCalls()))
@@ -489,13 +384,9 @@ public final class Coordinator {
                 Optional.ofNullable(pursuits.get(goal.id()))
                     .ifPresent(pursuit -> pursuit.takeUp(goal, former)));
     recovery.goals().stream()
-        .filter(goal -> ScriptGoal.script(goal.request().goal(), scripts()).isEmpty())
+        .filter(goal -> requested.script(goal.request()).isEmpty())
         .forEach(
             goal -> parts.giveUpOthers(goal.id(), "the plan of which it was a part is made anew"));
-  }
-
-  private Map<String, Script> scripts() {
-    return ports.knowledge().home().scripts();
   }
 
   /** The clock's thread only hands over. */
@@ -595,16 +486,7 @@ public final class Coordinator {
    *     life are unknown to it
    */
   public void memberPresent(String member, Optional<String> life) {
-    activeGoals.experience().forget(member);
-    roster.present(member, life);
-    ports.journal().write(new JournalEntry.MemberCame(member, life));
-    comeback.present(member);
-    activeGoals.run(
-        () -> {
-          activeGoals.otherManagers().forget(member);
-          activeGoals.all().forEach(pursuit -> pursuit.memberPresent(member));
-          activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
-        });
+    attendance.present(member, life);
   }
 
   /**
@@ -612,28 +494,17 @@ public final class Coordinator {
    * it is there again or lost.
    */
   public void memberDoubted(String member, String reason) {
-    if (roster.doubt(member, reason)) {
-      comeback.doubt(member);
-    }
+    attendance.doubted(member, reason);
   }
 
   /** The member has never been there, and this is why. */
   public void memberAway(String member, String reason) {
-    if (!roster.isThere(member)) {
-      roster.absent(member, reason);
-    }
+    attendance.away(member, reason);
   }
 
   /** The member was there all the time. */
   public void memberTrusted(String member) {
-    if (roster.trust(member)) {
-      comeback.present(member);
-      activeGoals.run(
-          () -> {
-            activeGoals.otherManagers().forget(member);
-            activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
-          });
-    }
+    attendance.trusted(member);
   }
 
   /**
@@ -641,21 +512,7 @@ public final class Coordinator {
    * anew.
    */
   public void memberLost(String member, String reason) {
-    if (!roster.isThere(member)) {
-      memberAway(member, reason);
-      return;
-    }
-    roster.absent(member, reason, ports.clock().now());
-    ports.journal().write(new JournalEntry.MemberWent(member, reason));
-    exactPrices.forget(member);
-    ports.knowledge().lost(member);
-    activeGoals.run(
-        () -> {
-          activeGoals.leases().lost(member);
-          activeGoals.otherManagers().forget(member);
-          activeGoals.all().forEach(pursuit -> pursuit.memberLost(member));
-          activeGoals.all().forEach(pursuit -> pursuit.doubtOver(member));
-        });
+    attendance.lost(member, reason);
   }
 
   /**
@@ -745,7 +602,7 @@ public final class Coordinator {
     Decisions decisions =
         Optional.ofNullable(pursuits.get(goalId))
             .map(ActiveGoal::decisions)
-            .or(() -> explained.find(goalId))
+            .or(() -> ended.decisions(goalId))
             .orElseGet(Decisions::new);
     Optional<Decision> decision = decisions.find(plan);
     Optional<Step> chosen = decision.flatMap(d -> d.step(step));
@@ -782,7 +639,7 @@ public final class Coordinator {
   private Optional<PlanRecords> planned(String goalId) {
     return Optional.ofNullable(pursuits.get(goalId))
         .map(ActiveGoal::plans)
-        .or(() -> planned.find(goalId));
+        .or(() -> ended.plans(goalId));
   }
 
   public boolean isPresent(String member) {
@@ -795,8 +652,7 @@ public final class Coordinator {
   }
 
   public List<GoalStatus> goals() {
-    List<GoalStatus> goals = new ArrayList<>();
-    ended.values().forEach(goal -> goals.add(status(goal)));
+    List<GoalStatus> goals = new ArrayList<>(ended.statuses(ports.clock().now()));
     pursuits.values().forEach(pursuit -> goals.add(pursuit.status()));
     goals.sort(Comparator.comparingInt(goal -> GoalId.number(prefix, goal.id())));
     return goals;
@@ -818,20 +674,5 @@ public final class Coordinator {
   /** The wait-for graph: which goal waits for what, and which goal has it. */
   public List<WaitsFor> waits() {
     return activeGoals.leases().graph();
-  }
-
-  private GoalStatus status(Recovery.EndedGoal goal) {
-    GoalOutcome outcome = goal.outcome();
-    return new GoalStatus(
-            outcome.id(),
-            outcome.goal(),
-            goal.request().requester(),
-            outcome.state(),
-            String.join(" ", outcome.reasons()),
-            goal.request().priority(),
-            goal.request().deadline().map(deadline -> deadline.minus(ports.clock().now())),
-            ports.clock().now().minus(outcome.submittedAt()),
-            List.of())
-        .stakes(goal.request().stakes());
   }
 }
