@@ -1,6 +1,6 @@
 /** The page: what is told is drawn, what is chosen is shown. */
 import { byId } from "./dom.js";
-import { state, connect, onChange, onShutOut, ask } from "./feed.js";
+import { state, changed, connect, onChange, onShutOut, ask } from "./feed.js";
 import { select, selection, onSelect } from "./selection.js";
 import { mayNot, recognize, startSession } from "./session.js";
 import { drawAlerts, startAlerts } from "./alerts.js";
@@ -50,15 +50,18 @@ function drawFrame() {
   link.className = `link ${state.live}`;
 }
 
+function drawView() {
+  VIEWS[selection().view]();
+}
+
+function drawChosen() {
+  (DETAILS[selection().view] ?? drawDetail)();
+}
+
+const PARTS = [drawFrame, drawAlerts, drawMap, drawTruth, drawView, drawChosen, drawPast];
+
 function drawAll() {
-  const { view } = selection();
-  drawFrame();
-  drawAlerts();
-  drawMap();
-  drawTruth();
-  VIEWS[view]();
-  (DETAILS[view] ?? drawDetail)();
-  drawPast();
+  PARTS.forEach((part) => part());
 }
 
 function theme(name) {
@@ -93,10 +96,10 @@ startBus();
 startConversations();
 startChat();
 startTruth();
-onChange(drawAll);
+PARTS.forEach(onChange);
 onSelect(drawAll);
 // Ages go on.
-setInterval(() => { if (!document.hidden) { drawAll(); } }, 1000);
+setInterval(() => { if (!document.hidden) { changed(); } }, 1000);
 let isFirst = true;
 startSession(() => {
   leave();

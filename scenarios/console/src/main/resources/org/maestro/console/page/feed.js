@@ -26,12 +26,17 @@ export let state = now;
 
 const listeners = new Set();
 const storyListeners = new Set();
-let waiting = false;
+let isToBeTold = false;
+let isTelling = false;
 
 /** Where drawing takes long, it is done less often: it takes a quarter of the time at most. */
 let freeAt = 0;
 const SHARE = 4;
 
+/** As much is drawn for one picture as does not keep the next one back. */
+const PICTURE_MILLIS = 12;
+
+/** Each draws a part of the page, in this order. */
 export function onChange(listener) {
   listeners.add(listener);
 }
@@ -40,24 +45,47 @@ export function onStory(listener) {
   storyListeners.add(listener);
 }
 
-function tellAll() {
+/** What takes too long for one picture goes on with the next; a part that fails keeps no other back. */
+function tell(left, spent) {
   const begin = performance.now();
-  waiting = false;
-  listeners.forEach((listener) => listener());
-  freeAt = begin + SHARE * (performance.now() - begin);
+  do {
+    try {
+      left.shift()();
+    } catch (failure) {
+      reportError(failure);
+    }
+  } while (left.length > 0 && performance.now() - begin < PICTURE_MILLIS);
+  const taken = spent + performance.now() - begin;
+  if (left.length > 0) {
+    requestAnimationFrame(() => tell(left, taken));
+    return;
+  }
+  isTelling = false;
+  freeAt = performance.now() + (SHARE - 1) * taken;
+  if (isToBeTold) {
+    tellSoon();
+  }
 }
 
-/** All listeners are told once before a picture is drawn, however much has changed. */
+function tellSoon() {
+  isTelling = true;
+  const next = () => requestAnimationFrame(() => {
+    isToBeTold = false;
+    tell([...listeners], 0);
+  });
+  const pause = freeAt - performance.now();
+  if (pause > 0) {
+    setTimeout(next, pause);
+  } else {
+    next();
+  }
+}
+
+/** All listeners are told once more, however much has changed meanwhile. */
 export function changed() {
-  if (!waiting) {
-    waiting = true;
-    const next = () => requestAnimationFrame(tellAll);
-    const pause = freeAt - performance.now();
-    if (pause > 0) {
-      setTimeout(next, pause);
-    } else {
-      next();
-    }
+  isToBeTold = true;
+  if (!isTelling) {
+    tellSoon();
   }
 }
 
