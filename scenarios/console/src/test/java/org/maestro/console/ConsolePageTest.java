@@ -262,6 +262,31 @@ class ConsolePageTest {
     browser.waitFor("#link.live");
   }
 
+  @Test
+  void aPartThatFailsKeepsNoOtherBack() {
+    browser.go(home.uri() + "/#view=goals");
+    browser.waitFor("#link.live");
+
+    Object told =
+        browser.runAsync(
+            """
+            const done = arguments[0];
+            import("/feed.js").then(({ onChange, changed }) => {
+              let told = 0;
+              onChange(() => { throw new Error("this part fails"); });
+              onChange(() => {
+                told += 1;
+                if (told === 2) { done(told); } else { changed(); }
+              });
+              changed();
+            });
+            """);
+
+    assertThat(told).isEqualTo(2L);
+    assertThat(browser.complaints()).anySatisfy(one -> assertThat(one).contains("this part fails"));
+    browser.go("about:blank");
+  }
+
   private static void hide(boolean isHidden) {
     browser.run(
         "Object.defineProperty(document, 'hidden', { configurable: true, value: arguments[0] });"
