@@ -43,7 +43,7 @@ import org.maestro.rats.time.PacedClock;
  * part in it, until the third is killed.
  */
 @Isolated("its time is wall time, which others beside it would take")
-@MaestroTest(home = "rooms", scene = "rooms", clock = ClockKind.PACED, speed = 10)
+@MaestroTest(home = "rooms", scene = "rooms", clock = ClockKind.PACED, speed = 4)
 class ThinkingPartsTest {
   private final List<SentMessage> mail = new CopyOnWriteArrayList<>();
   private final List<StoryEntry> story = new CopyOnWriteArrayList<>();
