@@ -49,9 +49,10 @@ import org.maestro.sl.Truth;
 public final class GroupAgent extends MaestroAgent implements AgentLifeListener {
   private static final long serialVersionUID = 1L;
 
-  private static final String KNOWN = "inform, yield, cancel, answer, query-ref and subscribe";
+  private static final String KNOWN =
+      "inform, yield, cancel, answer, query-ref, subscribe and initCNP";
   private static final String KNOWN_IN_ROOMS =
-      "inform, yield, cancel, answer, query-ref, subscribe, say, understand and initCNP";
+      "inform, yield, cancel, answer, query-ref, subscribe, initCNP, say and understand";
 
   /** Members come and go; so often their agents are asked, and the condition is looked at. */
   private static final Duration BETWEEN_ROLL_CALLS = Duration.ofSeconds(60);
@@ -69,6 +70,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   private transient volatile Set<String> called = Set.of();
   private transient Clock.Timer rollCall = () -> {};
   private transient Clock.Timer start = () -> {};
+  private final transient GoalRequests requests;
   private final transient Optional<RoomListening> listening;
   private final transient Optional<RoomSpeech> speech;
   private boolean started;
@@ -98,7 +100,13 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
             past,
             member -> called.contains(member),
             Optional.empty());
-    this.listening = group.hearing().map(hearing -> listening(story, dialogues));
+    this.requests =
+        new GoalRequests(
+            this,
+            mind.knowledge(),
+            goals.manager(),
+            new ToldStories(this, story, Map.of(), goalId -> {}));
+    this.listening = group.hearing().map(hearing -> listening(dialogues));
     this.speech =
         group.hearing().stream()
             .flatMap(hearing -> hearing.rooms().stream())
@@ -107,18 +115,14 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   }
 
   /** What is said in its room, as the central agent hears it in the whole home. */
-  private RoomListening listening(Story story, Dialogues dialogues) {
+  private RoomListening listening(Dialogues dialogues) {
     KnowledgeBase knowledge = mind.knowledge();
-    GoalRequests requests =
-        new GoalRequests(
-            this, knowledge, goals.manager(), new ToldStories(this, story, Map.of(), goalId -> {}));
     return new RoomListening(
         this,
         group.id(),
         member -> called.contains(member),
         knowledge,
         dialogues,
-        requests,
         new Sayings(
             this,
             knowledge,
@@ -238,7 +242,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
         case "query-ref" -> new OwnGoalRequests(this, goals).list(message);
         case "subscribe" -> goals.centreReturned();
         case "say" -> heard(message, content, its -> its.say(message, words));
-        case "initCNP" -> heard(message, content, its -> its.goal(message, words));
+        case "initCNP" -> requests.goal(message, words);
         case "understand" -> heard(message, content, its -> its.understand(message, words));
         default -> notUnderstood(message, content);
       }

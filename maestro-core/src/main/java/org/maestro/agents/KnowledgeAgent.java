@@ -18,6 +18,7 @@ import org.maestro.agents.content.BeliefWords;
 import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.Rights;
+import org.maestro.agents.knowledge.BeliefSubscriptions;
 import org.maestro.agents.knowledge.KnowledgeSubscriptions;
 import org.maestro.agents.knowledge.Readers;
 import org.maestro.agents.knowledge.ToldFacts;
@@ -71,6 +72,7 @@ import org.maestro.sl.Term;
  * (query-ref (:disputes))                      on what sources disagree, and how that was settled
  * (subscribe (in Cup ?where))                  AGREE, what is so now, and again when that changes;
  *                                              until CANCEL in the same conversation
+ * (subscribe (:beliefs))                       the same of all that is believed, for a copy of it
  * </pre>
  *
  * A question that uses words as neither home nor vocabulary do is refused, as a goal is; so is one
@@ -88,6 +90,8 @@ public final class KnowledgeAgent extends MaestroAgent {
   private final transient ToldFacts toldFacts = new ToldFacts();
   private final transient KnowledgeSubscriptions subscriptions =
       new KnowledgeSubscriptions(this::inform);
+  private final transient BeliefSubscriptions copies =
+      new BeliefSubscriptions((message, news) -> answer(message, news.stream()));
 
   private final transient Habits habits;
   private final transient Readers readers;
@@ -127,6 +131,9 @@ public final class KnowledgeAgent extends MaestroAgent {
         change -> {
           if (!subscriptions.isEmpty()) {
             tell(() -> subscriptions.changed(knowledge.snapshot()));
+          }
+          if (!copies.isEmpty()) {
+            tell(() -> copies.changed(change, knowledge.snapshot()));
           }
           if (habits.concerns(change)) {
             tell(habits::look);
@@ -406,6 +413,12 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void subscribe(ACLMessage message, Words words) {
+    if (words.named("beliefs").isPresent()) {
+      reply(
+          message, ACLMessage.AGREE, Words.content("subscribe", Words.named("beliefs", List.of())));
+      copies.add(message, rights(message, words), knowledge.snapshot());
+      return;
+    }
     Optional<Formula> formula = question(message, words);
     if (formula.isEmpty()) {
       refuse(
@@ -420,7 +433,7 @@ public final class KnowledgeAgent extends MaestroAgent {
   }
 
   private void cancel(ACLMessage message) {
-    if (subscriptions.cancel(message)) {
+    if (subscriptions.cancel(message) || copies.cancel(message)) {
       reply(
           message,
           ACLMessage.INFORM,

@@ -20,6 +20,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.supervision.AgentChanges;
 import org.maestro.agents.supervision.Containers;
 import org.maestro.agents.supervision.Handover;
+import org.maestro.agents.supervision.Introductions;
 import org.maestro.agents.supervision.Newcomer;
 import org.maestro.agents.supervision.RequestEnds;
 import org.maestro.agents.supervision.SupervisorOrders;
@@ -44,6 +45,7 @@ import org.slf4j.LoggerFactory;
  * (perform (:action reconfigure) (:agent lamp-9) (:description "..."))
  * (perform (:action remove) (:agent lamp-9))                         also the agent of a room
  * (query-ref)                                                        the tables
+ * (refer (:agent lamp-9))                     by proxy: passed on to who is asked for
  * </pre>
  */
 public final class SupervisorAgent extends MaestroAgent {
@@ -54,6 +56,7 @@ public final class SupervisorAgent extends MaestroAgent {
   private final transient Containers containers;
   private final transient AgentChanges changes;
   private final transient TablesTold tables;
+  private final transient Introductions introductions;
   private final transient SupervisorOrders orders = new SupervisorOrders(this);
   private final transient RequestEnds ends = new RequestEnds(this);
 
@@ -63,6 +66,7 @@ public final class SupervisorAgent extends MaestroAgent {
     this.containers = containers;
     this.changes = new AgentChanges(this, containers);
     this.tables = new TablesTold(this, containers);
+    this.introductions = new Introductions(this, containers);
   }
 
   /** What other agents are told and asked for it. Any thread may use it. */
@@ -83,6 +87,7 @@ public final class SupervisorAgent extends MaestroAgent {
       switch (content.operator()) {
         case "query-ref" -> tables.list(message);
         case "perform" -> perform(message, words);
+        case "refer" -> introductions.refer(message, words);
         case StartWords.OPERATOR -> startedByHand(StartWords.read(words));
         default ->
             refuse(
@@ -90,7 +95,7 @@ public final class SupervisorAgent extends MaestroAgent {
                 ACLMessage.NOT_UNDERSTOOD,
                 "The supervisor does not know the operator "
                     + Replies.shortened(content.operator())
-                    + "; it knows query-ref and perform.");
+                    + "; it knows query-ref, perform and refer.");
       }
     }
   }

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -33,6 +34,8 @@ import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.ProcessStart;
 import org.maestro.ontology.home.Device;
+import org.maestro.ontology.home.Home;
+import org.maestro.planning.api.Planner;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.jade.ContainerEnds;
 import org.maestro.platform.jade.JadeRuntime;
@@ -57,6 +60,9 @@ public final class JoinedContainer implements AutoCloseable {
   private final DeskAgent desk;
   private final AgentTime time;
   private final List<AgentContainer> forAgents = new ArrayList<>();
+
+  /** Guarded by this. */
+  private Optional<ThinkingParts> thinking = Optional.empty();
 
   /** Whether they are being ended; guarded by this. */
   private boolean left;
@@ -286,6 +292,26 @@ public final class JoinedContainer implements AutoCloseable {
     bus.complete(links.apply(handover(answered)));
   }
 
+  /**
+   * Has parts of the central agent live in this process, as agents of these names. To be called
+   * once.
+   *
+   * @param name of their container when this process has none for agents yet
+   * @param home as the platform has it, by the same file
+   * @param planner of goals
+   * @throws PlatformStartException when the platform has such an agent already
+   */
+  public void think(String name, Home home, Set<ThinkingPart> parts, Planner planner) {
+    synchronized (this) {
+      if (forAgents.isEmpty()) {
+        forAgents.add(named(name, Host::new));
+      }
+      thinking =
+          Optional.of(
+              ThinkingParts.begin(forAgents.get(0), name + "-copy", time, home, parts, planner));
+    }
+  }
+
   private static Handover handover(CompletableFuture<ACLMessage> answered) {
     try {
       ACLMessage reply = answered.get(ANSWER_WITHIN.toSeconds() + 5, TimeUnit.SECONDS);
@@ -337,11 +363,18 @@ public final class JoinedContainer implements AutoCloseable {
   /** Ends what is of no use any more; does not wait for long. */
   public void abandon() {
     ContainerEnds.abandon(left());
+    endThinking();
   }
 
   @Override
   public void close() {
     left().forEach(ContainerEnds::end);
+    endThinking();
+  }
+
+  private synchronized void endThinking() {
+    thinking.ifPresent(ThinkingParts::close);
+    thinking = Optional.empty();
   }
 
   /** Those that are to be ended: JADE counts a container that is ended twice at once as two. */

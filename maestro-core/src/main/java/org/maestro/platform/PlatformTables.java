@@ -71,6 +71,11 @@ final class PlatformTables {
                 : new Seen(phase, state, disabled, now.get()));
   }
 
+  /** Whether JADE has an agent of that name. */
+  boolean isThere(String agent) {
+    return directory.find(agent).isPresent();
+  }
+
   /**
    * Agents that stand for members, and groups.
    *

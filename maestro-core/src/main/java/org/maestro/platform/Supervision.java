@@ -202,6 +202,16 @@ final class Supervision implements Containers {
   }
 
   @Override
+  public boolean isThere(String agent) {
+    return tables.isThere(agent);
+  }
+
+  @Override
+  public Home home() {
+    return home.get();
+  }
+
+  @Override
   public Optional<Handover> offered(String host, List<String> provides) {
     Optional<Handover> bus = settings.brokerUri().map(this::handover);
     bus.ifPresent(there -> agents.offered(host, provides));

@@ -13,6 +13,12 @@ public final class AgentNames {
   /** Where people state goals and ask; it alone speaks for others than its own process. */
   public static final String DESK = "desk";
 
+  /** Understands what people say, where that is an agent of its own. */
+  public static final String LANGUAGE = "language";
+
+  /** Pursues what is asked of it, where that is an agent beside the central one. */
+  public static final String GOALS = "goals";
+
   private static final String HOST = "host-";
 
   private AgentNames() {}

@@ -6,17 +6,17 @@ package org.maestro.agents.pulse;
  *
  * @param number counts what is sealed of its kind
  */
-record Sealed(String session, long number, String seal, String text) {
+public record Sealed(String session, long number, String seal, String text) {
   private static final int WORDS = 3;
 
-  String write() {
+  public String write() {
     return "%s %d %s\n%s".formatted(session, number, seal, text);
   }
 
   /**
    * @throws IllegalArgumentException when it is none
    */
-  static Sealed read(String written) {
+  public static Sealed read(String written) {
     int end = written.indexOf('\n');
     String[] words = written.substring(0, Math.max(0, end)).split(" ", -1);
     if (words.length != WORDS) {

@@ -12,10 +12,11 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * A key that the main container has made for one process, by which each of them knows what comes
- * from the other (ADE, 3.1; A24). It seals with HMAC-SHA-256. Immutable.
+ * A key that one has made for another, such as the main container for a process, or an agent for
+ * one that refers to it: by it each of the two knows what comes from the other (ADE, 3.1; A24,
+ * A27). It seals with HMAC-SHA-256. Immutable.
  */
-final class SessionKey {
+public final class SessionKey {
   private static final String ALGORITHM = "HmacSHA256";
   private static final int BYTES = 32;
 
@@ -23,8 +24,8 @@ final class SessionKey {
   private final byte[] secret;
 
   /** What is sealed; a seal of one kind is none of another. */
-  enum Kind {
-    /** From a process to the main container. */
+  public enum Kind {
+    /** A sign of life, from a process to the main container or from an agent to another. */
     BEAT,
     /** The answer to the beat of the same number. */
     CONFIRMATION,
@@ -37,21 +38,21 @@ final class SessionKey {
     this.secret = secret;
   }
 
-  static SessionKey fresh() {
+  public static SessionKey fresh() {
     byte[] secret = new byte[BYTES];
     new SecureRandom().nextBytes(secret);
     return new SessionKey(UUID.randomUUID().toString(), secret);
   }
 
-  /** For the process whose key it is, and for nobody else. */
-  String write() {
+  /** For the one whose key it is, and for nobody else. */
+  public String write() {
     return session + " " + HexFormat.of().formatHex(secret);
   }
 
   /**
    * @throws IllegalArgumentException when it is none
    */
-  static SessionKey read(String written) {
+  public static SessionKey read(String written) {
     String[] words = written.split(" ", -1);
     if (words.length != 2) {
       throw new IllegalArgumentException("What was told is no key of a session.");
@@ -64,12 +65,12 @@ final class SessionKey {
     return session;
   }
 
-  Sealed seal(Kind kind, long number, String text) {
+  public Sealed seal(Kind kind, long number, String text) {
     return new Sealed(session, number, HexFormat.of().formatHex(code(kind, number, text)), text);
   }
 
   /** Whether it was sealed with this key, as that kind, and has not been changed since. */
-  boolean fits(Kind kind, Sealed sealed) {
+  public boolean fits(Kind kind, Sealed sealed) {
     byte[] expected =
         HexFormat.of().formatHex(code(kind, sealed.number(), sealed.text())).getBytes(US_ASCII);
     return sealed.session().equals(session)

@@ -5,7 +5,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
-import org.maestro.agents.centre.GoalRequests;
 import org.maestro.agents.centre.Said;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.content.AgentNames;
@@ -34,14 +33,12 @@ public final class RoomListening {
   private final Predicate<String> isMember;
   private final KnowledgeBase knowledge;
   private final Dialogues dialogues;
-  private final GoalRequests goals;
   private final Sayings own;
   private final RoundOfRooms others;
 
   /**
    * @param name the agent's, as the home has it
    * @param isMember whether a device is one of the room's
-   * @param goals what others ask of its own manager of goals
    * @param own what it does itself
    * @param faces at which it is seen
    */
@@ -51,7 +48,6 @@ public final class RoomListening {
       Predicate<String> isMember,
       KnowledgeBase knowledge,
       Dialogues dialogues,
-      GoalRequests goals,
       Sayings own,
       Faces faces) {
     this.agent = agent;
@@ -59,7 +55,6 @@ public final class RoomListening {
     this.isMember = isMember;
     this.knowledge = knowledge;
     this.dialogues = dialogues;
-    this.goals = goals;
     this.own = own;
     this.others = new RoundOfRooms(agent, name, knowledge::home, faces);
   }
@@ -85,11 +80,6 @@ public final class RoomListening {
     } else {
       others.passOn(said, grasp);
     }
-  }
-
-  /** A goal that was said in the room is stated here while there is no central agent. */
-  public void goal(ACLMessage message, Words words) {
-    goals.goal(message, words);
   }
 
   private SpokenWords.Grasp grasp(Utterance heard) {

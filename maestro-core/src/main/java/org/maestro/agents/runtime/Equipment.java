@@ -4,6 +4,7 @@ import jade.core.Agent;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
+import org.maestro.agents.references.References;
 import org.maestro.agents.stepping.IdleDetector;
 import org.maestro.agents.stepping.WorkTickets;
 
@@ -14,6 +15,7 @@ final class Equipment {
   final CountDownLatch started = new CountDownLatch(1);
   final IdleDetector idleDetector;
   final Conversations conversations;
+  final References references;
   final NotUnderstoodReplier protest;
   final Inbox inbox;
   final Reception reception;
@@ -27,6 +29,7 @@ final class Equipment {
     this.tickets = new WorkTickets(time.clock(), agent.getClass().getSimpleName());
     this.idleDetector = new IdleDetector(tickets, started::countDown);
     this.conversations = new Conversations(agent, thread, time);
+    this.references = new References(new AgentPost(agent, thread, time));
     this.protest = new NotUnderstoodReplier(agent);
     this.inbox = new Inbox(agent, thread, time.clock(), tickets);
     this.reception =

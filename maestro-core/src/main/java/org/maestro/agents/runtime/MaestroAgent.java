@@ -24,6 +24,7 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.agents.pulse.PulseService;
+import org.maestro.agents.references.References;
 import org.maestro.agents.stepping.SteppedMail;
 import org.maestro.agents.stepping.SteppedMailService;
 import org.maestro.agents.stepping.TicketedQueue;
@@ -149,6 +150,11 @@ public abstract class MaestroAgent extends Agent {
     return equipment.conversations;
   }
 
+  /** The references to others, and of others to this one. Agent thread only. */
+  public final References references() {
+    return equipment.references;
+  }
+
   @Override
   protected void setup() {
     equipment.tickets.taken(clock().hold("the start of " + getLocalName()));
@@ -237,6 +243,7 @@ public abstract class MaestroAgent extends Agent {
   private void leave() {
     equipment.time.mail().ifPresent(mail -> mail.close(this));
     pulse.ifPresent(its -> its.leave(getLocalName()));
+    equipment.references.end();
     equipment.inbox.end();
     equipment.tickets.end();
   }
@@ -350,7 +357,7 @@ public abstract class MaestroAgent extends Agent {
 
     boolean step() {
       ACLMessage message = receive(template);
-      if (message != null) {
+      if (message != null && !equipment.references.takes(message)) {
         sort(message);
       }
       return message != null;

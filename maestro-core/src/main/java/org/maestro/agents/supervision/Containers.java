@@ -9,6 +9,7 @@ import org.maestro.agents.content.Addition;
 import org.maestro.agents.pulse.Pulse;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
+import org.maestro.ontology.home.Home;
 import org.maestro.sl.Content;
 
 /**
@@ -58,6 +59,12 @@ public interface Containers {
    * @param services what the directory facilitator has, by agent
    */
   List<Content> tables(Map<String, ? extends Set<String>> services);
+
+  /** Whether there is an agent of that name. */
+  boolean isThere(String agent);
+
+  /** The home as it is now, which says who may ask whom. */
+  Home home();
 
   /**
    * A process offers itself as a host for agents, by its {@link HostAgent}.

@@ -3,16 +3,20 @@ package org.maestro.launch;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.Deployment;
+import org.maestro.platform.ThinkingPart;
 import org.maestro.rats.time.PacedClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -26,7 +30,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "container",
     description =
-        "Join a container to a running platform, until Ctrl-C: agents live in it that are its topic's, or that are added or moved there.")
+        "Join a container to a running platform, until Ctrl-C: agents live in it that are its"
+            + " topic's, or that are added or moved there.")
 final class ContainerCommand implements Callable<Integer> {
   private static final Logger LOG = LoggerFactory.getLogger(ContainerCommand.class);
   private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);
@@ -47,7 +52,8 @@ final class ContainerCommand implements Callable<Integer> {
       paramLabel = "NAME",
       required = true,
       description =
-          "Of the container. When the platform has one of that name for a topic, such as lights, this one takes its place.")
+          "Of the container. When the platform has one of that name for a topic, such as lights,"
+              + " this one takes its place.")
   private String name;
 
   @Option(
@@ -64,12 +70,33 @@ final class ContainerCommand implements Callable<Integer> {
       description = "What this host has that agents may need, such as microphone,gpu.")
   private List<String> provides = List.of();
 
+  @Option(
+      names = "--part",
+      paramLabel = "PART",
+      split = ",",
+      description =
+          "Part of the central agent that lives here as an agent itself: language understands what"
+              + " people say, goals pursues what it is asked for. Needs --home.")
+  private Set<ThinkingPart> parts = Set.of();
+
+  @Option(
+      names = "--home",
+      paramLabel = "HOME",
+      completionCandidates = Shipped.Homes.class,
+      description =
+          "Of the platform, for parts that live here: the name or file that it was started with.")
+  private Optional<String> home = Optional.empty();
+
   private final PacedClock clock = new PacedClock(1);
   private final AtomicInteger attempts = new AtomicInteger();
   private final AtomicReference<@Nullable HostedContainer> hosted = new AtomicReference<>();
 
   @Override
   public Integer call() throws InterruptedException {
+    if (!parts.isEmpty() && home.isEmpty()) {
+      throw CommandException.badInput(
+          "A part of the central agent has to know the home; give its name or file by --home.");
+    }
     begin();
     UntilStopped.run(spec.commandLine().getOut(), announcement(), () -> hosted().close());
     return ExitCode.DONE;
@@ -83,7 +110,12 @@ final class ContainerCommand implements Callable<Integer> {
   private void begin() {
     HostedContainer begun =
         HostedContainer.begin(
-            Endpoint.parse(main), start(), attempts.incrementAndGet(), clock, security.files());
+            Endpoint.parse(main),
+            start(),
+            thinking(),
+            attempts.incrementAndGet(),
+            clock,
+            security.files());
     hosted.set(begun);
     begun.whenGivenUp(
         () -> {
@@ -99,6 +131,12 @@ final class ContainerCommand implements Callable<Integer> {
     return new ContainerStart(name, set(topics), set(provides), false);
   }
 
+  private Optional<HostedContainer.Thinking> thinking() {
+    return parts.isEmpty()
+        ? Optional.empty()
+        : home.map(Shipped::home).map(its -> new HostedContainer.Thinking(its, parts));
+  }
+
   private static Set<String> set(List<String> words) {
     return new TreeSet<>(words.stream().map(String::strip).toList());
   }
@@ -110,6 +148,15 @@ final class ContainerCommand implements Callable<Integer> {
             ? "The container %s runs here, empty; ./maestro agent move ID --to %s brings an agent."
                 .formatted(name, name)
             : "The container %s runs here, with %s.".formatted(name, String.join(", ", agents));
+    if (!parts.isEmpty()) {
+      return "The container %s runs here, and thinks: %s."
+          .formatted(
+              name,
+              parts.stream()
+                  .map(part -> part.name().toLowerCase(Locale.ROOT))
+                  .sorted()
+                  .collect(Collectors.joining(", ")));
+    }
     return provides.isEmpty() ? what : what + " It provides " + String.join(", ", provides) + ".";
   }
 

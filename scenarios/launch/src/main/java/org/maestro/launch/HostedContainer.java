@@ -4,14 +4,19 @@ import java.net.URI;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 import org.maestro.agents.supervision.Handover;
 import org.maestro.assembly.SiteBus;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.DescriptionReader;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.planning.OptimalPlanner;
+import org.maestro.planning.ReplanningPlanner;
 import org.maestro.platform.JoinedContainer;
+import org.maestro.platform.ThinkingPart;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.jade.NameTakenException;
 import org.maestro.platform.jade.PlatformStartException;
@@ -32,6 +37,9 @@ final class HostedContainer implements AutoCloseable {
     this.agents = agents;
   }
 
+  /** Parts of the central agent that are to live in it, and the home that they think of. */
+  record Thinking(Home home, Set<ThinkingPart> parts) {}
+
   /**
    * Joins.
    *
@@ -42,6 +50,7 @@ final class HostedContainer implements AutoCloseable {
   static HostedContainer begin(
       Endpoint at,
       ContainerStart start,
+      Optional<Thinking> thinking,
       int attempt,
       Clock clock,
       Optional<SiteSecurity> security) {
@@ -57,6 +66,13 @@ final class HostedContainer implements AutoCloseable {
       if (!start.provides().isEmpty()) {
         container.offer(start.name(), List.copyOf(start.provides()), links::at, reader::read);
       }
+      thinking.ifPresent(
+          its ->
+              container.think(
+                  start.name(),
+                  its.home(),
+                  its.parts(),
+                  new ReplanningPlanner(new OptimalPlanner())));
       return new HostedContainer(container, links, agents);
     } catch (RuntimeException e) {
       links.close();
