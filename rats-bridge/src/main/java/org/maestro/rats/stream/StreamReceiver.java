@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.maestro.rats.link.BusLink;
 import org.maestro.rats.link.RatsLink;
@@ -105,14 +104,14 @@ public final class StreamReceiver implements AutoCloseable {
       Clock clock,
       SiteKind kind,
       Listener listener) {
-    AtomicReference<Consumer<Message>> frames = new AtomicReference<>(message -> {});
+    Inlet inlet = new Inlet();
     transport.subscribe(
         new Topics(site).stream(wanted.member(), wanted.feature()),
         Transport.RetainedMessages.IGNORE,
-        message -> clock.perform(receiver, () -> frames.get().accept(message)));
+        message -> clock.perform(receiver, () -> inlet.frames.accept(message)));
     RatsLink link = BusLink.connectForWatched(receiver, site, transport, clock, kind);
     StreamReceiver opened = new StreamReceiver(wanted, receiver, link, clock, listener);
-    frames.set(opened::arrived);
+    inlet.frames = opened::arrived;
     link.watch(wanted.member(), opened::changed);
     return opened;
   }
@@ -157,6 +156,11 @@ public final class StreamReceiver implements AutoCloseable {
       isOver = true;
       listener.ended(reason);
     }
+  }
+
+  /** Subscribed to before there is anybody to take what comes. */
+  private static final class Inlet {
+    private volatile Consumer<Message> frames = message -> {};
   }
 
   private final class Course implements RatsLink.CallListener {
