@@ -31,6 +31,13 @@ public interface Camera {
   /** Takes one picture of what is in view now; it costs the time of a frame. */
   void photograph(PhotoListener listener);
 
+  /**
+   * The same of a picture that is smaller than usual, for who needs many of them.
+   *
+   * @param widest pixels; the height follows
+   */
+  void photograph(int widest, PhotoListener listener);
+
   /** The share, 0 to 1, of an area's floor that a look from here and now has in view. */
   double shareInView(String area);
 

@@ -44,6 +44,9 @@ public final class Procedures {
     kinds.put("switchOff", new Kind("switching", context -> new SetSwitch(context, false)));
     kinds.put("set", new Kind("switching", SetSettings::new));
     kinds.put("listen", new Kind("listening", ListenTask::new));
+    kinds.put("streamPictures", new Kind("streaming", StreamPictures::new));
+    kinds.put("streamSound", new Kind("streaming", StreamSound::new));
+    kinds.put("stopStreaming", new Kind("streaming", context -> new StopStreaming()));
     kinds.put("say", new Kind("speaking", SayTask::new));
     kinds.put("move", new Kind("driving", MoveTask::new));
     kinds.put("pick", new Kind("arm-in-movement", context -> new PickTask(context, "object")));

@@ -2,6 +2,7 @@ package org.maestro.device.tasks;
 
 import java.time.Duration;
 import org.maestro.ontology.vocabulary.FeatureType;
+import org.maestro.rats.member.Frequency;
 
 /** The pace of continuous features. */
 final class Streams {
@@ -16,6 +17,17 @@ final class Streams {
   static Duration period(FeatureType feature) {
     double hertz = Math.min(USUAL_HERTZ, feature.frequencyHertz().orElse(USUAL_HERTZ));
     return Duration.ofNanos(Math.round(1e9 / hertz));
+  }
+
+  /** The same for a caller who may wish for another pace, up to the feature's frequency. */
+  static Duration period(FeatureType feature, CallParameters parameters) {
+    double hertz = parameters.optionalNumber(Frequency.WANTED).orElse(USUAL_HERTZ);
+    double highest = feature.frequencyHertz().orElse(USUAL_HERTZ);
+    if (!(hertz > 0)) {
+      throw new InvalidCallException(
+          "The parameter %s is above 0 Hz, but is %s.".formatted(Frequency.WANTED, hertz));
+    }
+    return Duration.ofNanos(Math.round(1e9 / Math.min(hertz, highest)));
   }
 
   /** Runs the next round a period after the last one began, at once if it took longer. */

@@ -24,6 +24,7 @@ import org.maestro.hal.IlluminationSensor;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.JammingHand;
 import org.maestro.hal.Loudspeaker;
+import org.maestro.hal.Microphone;
 import org.maestro.hal.MobileBase;
 import org.maestro.hal.PageFace;
 import org.maestro.hal.PersonRecognition;
@@ -156,8 +157,11 @@ public final class DriverFactory {
       case "simulated-ear" ->
           Drivers.none()
               .with(
-                  Ear.class,
-                  SimulatedEar.start(actuator, parameters.speech(), area(device).name()));
+                  Ear.class, SimulatedEar.start(actuator, parameters.speech(), area(device).name()))
+              .with(
+                  Microphone.class,
+                  SimulatedMicrophone.start(
+                      actuator, parameters.speech(), area(device).name(), seed));
       case "loudspeaker" ->
           Drivers.none()
               .with(
@@ -266,8 +270,9 @@ public final class DriverFactory {
         actuator,
         new Likeness(data.atRate(frameRate), parameters.colour()),
         eye,
-        now ->
-            photographer.take(eye.views().get().get(0), eye.viewDegrees(), resolution, seed, now));
+        (now, widest) ->
+            photographer.take(
+                eye.views().get().get(0), eye.viewDegrees(), resolution.within(widest), seed, now));
   }
 
   private Drivers appliance(Device device, Actuator actuator) {

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
@@ -30,19 +29,23 @@ public final class SimulatedCamera implements Camera {
   private final Likeness likeness;
   private final Eye eye;
   private final ViewLight light;
-  private final Function<Duration, Photo> photographer;
+  private final Shutter shutter;
 
-  /**
-   * @param photographer takes the picture of a moment
-   */
-  public SimulatedCamera(
-      Actuator actuator, Likeness likeness, Eye eye, Function<Duration, Photo> photographer) {
+  /** Takes the picture of a moment. */
+  interface Shutter {
+    /**
+     * @param widest pixels; no camera gives more than it has
+     */
+    Photo take(Duration now, int widest);
+  }
+
+  SimulatedCamera(Actuator actuator, Likeness likeness, Eye eye, Shutter shutter) {
     this.actuator = actuator;
     this.data = likeness.camera();
     this.likeness = likeness;
     this.eye = eye;
     this.light = new ViewLight(actuator.world(), eye);
-    this.photographer = photographer;
+    this.shutter = shutter;
   }
 
   @Override
@@ -56,16 +59,21 @@ public final class SimulatedCamera implements Camera {
 
   @Override
   public void photograph(PhotoListener listener) {
+    photograph(Integer.MAX_VALUE, listener);
+  }
+
+  @Override
+  public void photograph(int widest, PhotoListener listener) {
     actuator.command(
         WorldEvent.Kind.LOOK,
         1 / data.frameRate(),
         listener::failed,
-        () -> listener.taken(photo()));
+        () -> listener.taken(shutter.take(actuator.clock().now(), widest)));
   }
 
   /** What it shows now. */
   public Photo photo() {
-    return photographer.apply(actuator.clock().now());
+    return shutter.take(actuator.clock().now(), Integer.MAX_VALUE);
   }
 
   private Look asBroken(Look look) {

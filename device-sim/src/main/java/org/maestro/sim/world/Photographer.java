@@ -40,6 +40,11 @@ public final class Photographer {
   /** The robot's platform; KUKA youBot data sheet: 0.14 m. */
   private static final double PLATFORM_METRES = 0.14;
 
+  /** Width of pictures for which a grid that is so many times coarser will do; assumed. */
+  private static final int SMALL_PIXELS = 240;
+
+  private static final int COARSER = 4;
+
   private final World world;
   private final Set<String> robots;
   private final PhysicalParameters parameters;
@@ -54,7 +59,15 @@ public final class Photographer {
   }
 
   /** Width and height in pixels. */
-  public record Resolution(int width, int height) {}
+  public record Resolution(int width, int height) {
+
+    /** The same shape, not wider than that. */
+    public Resolution within(int widest) {
+      return width <= widest
+          ? this
+          : new Resolution(widest, Math.max(1, (int) Math.round((double) height * widest / width)));
+    }
+  }
 
   /**
    * @param seed of the camera's noise; the same at the same moment gives the same picture
@@ -66,7 +79,7 @@ public final class Photographer {
         addSolids(solids, name);
       }
     }
-    Stage stage = new Stage(floor(solids), walls(), solids);
+    Stage stage = new Stage(floor(solids, gridMetres(resolution)), walls(), solids);
     return Picture.of(
         stage,
         new Lens(pose, viewDegrees, resolution.width(), resolution.height()),
@@ -140,7 +153,15 @@ public final class Photographer {
     return walls;
   }
 
-  private LitFloor floor(List<Solid> solids) {
+  /**
+   * A pixel of a small picture covers more of the floor, and there may be many of them a second.
+   */
+  private double gridMetres(Resolution resolution) {
+    double fine = parameters.image().gridMetres();
+    return resolution.width() <= SMALL_PIXELS ? COARSER * fine : fine;
+  }
+
+  private LitFloor floor(List<Solid> solids, double gridMetres) {
     double left = Double.POSITIVE_INFINITY;
     double lower = Double.POSITIVE_INFINITY;
     double right = Double.NEGATIVE_INFINITY;
@@ -158,7 +179,7 @@ public final class Photographer {
         lower,
         right,
         upper,
-        parameters.image().gridMetres(),
+        gridMetres,
         (x, y) ->
             world
                 .lighting()

@@ -26,6 +26,11 @@ class SightVerdictTest {
         }
 
         @Override
+        public void photograph(int widest, PhotoListener listener) {
+          throw new UnsupportedOperationException("verdicts need no picture");
+        }
+
+        @Override
         public double minimumLux() {
           return 72;
         }

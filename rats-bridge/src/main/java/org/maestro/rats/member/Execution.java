@@ -1,8 +1,10 @@
 package org.maestro.rats.member;
 
+import java.time.Duration;
 import java.util.Map;
 import org.maestro.rats.protocol.Call;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.StreamFrame;
 
 /**
  * One running call as its procedure sees it. The first final report counts, later ones do nothing.
@@ -17,6 +19,19 @@ public interface Execution {
 
   /** A value set of a continuous feature's stream. */
   void observed(Map<String, Object> values);
+
+  /**
+   * A frame of what a continuous feature streams, once it is established (ADE, 3.3; A44). Streams
+   * are for whoever listens now: while the bus is slower than the device, pictures that have not
+   * left are given up for newer ones, and the oldest of more than twenty stretches of sound; the
+   * receiver sees the gap by the frames' numbers. One that is longer than {@link
+   * StreamFrame#MOST_BYTES} is given up, too.
+   *
+   * @param capturedAt when it was taken, by the clock; not after now
+   * @param mediaType such as {@code image/png}
+   * @param data must not be changed afterwards
+   */
+  void streamed(Duration capturedAt, String mediaType, byte[] data);
 
   void progress(double fraction);
 

@@ -26,6 +26,7 @@ import org.maestro.rats.protocol.RatsError;
 import org.maestro.rats.protocol.Release;
 import org.maestro.rats.protocol.ReservedFeature;
 import org.maestro.rats.protocol.Result;
+import org.maestro.rats.protocol.StreamFrame;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.transport.Publication;
@@ -123,6 +124,23 @@ final class MemberPublisher {
         .ifPresent(
             bytes ->
                 publish(Publication.stream(topics.observation(id, observation.feature()), bytes)));
+  }
+
+  /**
+   * @param over is run once it has left, or cannot
+   */
+  void frame(StreamFrame frame, Runnable over) {
+    Optional<byte[]> bytes = encoded("a frame", () -> wire.encode(frame));
+    if (bytes.isEmpty() || silent()) {
+      over.run();
+      return;
+    }
+    publish(
+        Publication.stream(topics.stream(id, frame.feature()), bytes.get()),
+        failure -> {
+          logged(failure);
+          over.run();
+        });
   }
 
   /** What cannot be sent is passed over, and complained of now and then. */

@@ -10,6 +10,7 @@ import org.maestro.rats.protocol.ErrorCode;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.StreamFrame;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -38,6 +39,8 @@ final class Task implements Execution {
 
     void observed(Task task, Map<String, Object> values);
 
+    void streamed(Task task, StreamFrame frame);
+
     /** It is given back, and on its way out. */
     void givenBack(Task task, String reason);
 
@@ -63,6 +66,7 @@ final class Task implements Execution {
   private boolean established;
   private boolean wentOut;
   private Duration nextObservation = Duration.ZERO;
+  private long frames;
   private Map<String, Object> latestValues = Map.of();
   private ExitStrategy strategy = Runnable::run;
 
@@ -192,6 +196,23 @@ final class Task implements Execution {
       }
       nextObservation = clock.now().plus(feature.frequency().period(call.parameters()));
       keeper.observed(this, values);
+    }
+  }
+
+  @Override
+  public void streamed(Duration capturedAt, String mediaType, byte[] data) {
+    if (phase == Phase.RUNNING && established && !keeper.gone()) {
+      frames++;
+      keeper.streamed(
+          this,
+          new StreamFrame(
+              call.id(),
+              owner,
+              feature.id(),
+              frames,
+              clock.start().plus(capturedAt),
+              mediaType,
+              data));
     }
   }
 

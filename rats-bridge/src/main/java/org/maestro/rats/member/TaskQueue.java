@@ -2,6 +2,7 @@ package org.maestro.rats.member;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,7 @@ import org.maestro.rats.protocol.Observation;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Progress;
 import org.maestro.rats.protocol.RatsError;
+import org.maestro.rats.protocol.StreamFrame;
 import org.maestro.rats.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -40,6 +42,7 @@ final class TaskQueue implements Task.Keeper {
   private final StateRules rules;
   private final List<Task> waiting = new ArrayList<>();
   private final List<Task> running = new ArrayList<>();
+  private final Map<Task, StreamOutlet> streams = new HashMap<>();
   private boolean starting;
   private int becomingSafe;
 
@@ -304,6 +307,11 @@ final class TaskQueue implements Task.Keeper {
   }
 
   @Override
+  public void streamed(Task task, StreamFrame frame) {
+    streams.computeIfAbsent(task, started -> new StreamOutlet(voice::frame)).add(frame);
+  }
+
+  @Override
   public void givenBack(Task task, String reason) {
     voice.release(task.call(), reason);
   }
@@ -336,6 +344,7 @@ final class TaskQueue implements Task.Keeper {
       Task task, Outcome outcome, Map<String, Object> values, Optional<RatsError> error) {
     waiting.remove(task);
     boolean ran = running.remove(task);
+    Optional.ofNullable(streams.remove(task)).ifPresent(StreamOutlet::end);
     if (ran && task.wentOut() && outcome != Outcome.SUCCEEDED) {
       condition.restSafely();
     }

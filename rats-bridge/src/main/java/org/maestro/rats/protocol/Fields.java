@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -40,6 +41,16 @@ final class Fields {
 
   Optional<String> optionalText(String field, Rule rule) {
     return has(field) ? Optional.of(text(field, rule)) : Optional.empty();
+  }
+
+  /** Base64, with what fills it up to whole groups of four characters. */
+  byte[] bytes(String field) {
+    String text = text(field, Rule.DATA);
+    try {
+      return Base64.getDecoder().decode(text);
+    } catch (IllegalArgumentException unreadable) {
+      throw broken(field, Rule.DATA.words(), object.get(field));
+    }
   }
 
   /** Also one that is written as 5.0, which JSON takes for the same number as 5. */

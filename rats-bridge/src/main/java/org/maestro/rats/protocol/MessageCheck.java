@@ -56,6 +56,7 @@ public final class MessageCheck {
       case STATUS -> Optional.of(wire.decodeStatus(payload).member());
       case STATE -> Optional.of(wire.decodeState(payload).member());
       case OBSERVATION -> Optional.of(wire.decodeObservation(payload).from());
+      case STREAM -> Optional.of(wire.decodeFrame(payload).from());
       case VERDICT -> {
         wire.decodeVerdict(payload);
         yield Optional.empty();

@@ -13,6 +13,7 @@ public enum MessageKind {
   DESCRIPTION("member/[^/]+/description"),
   STATE("member/[^/]+/state"),
   OBSERVATION("member/[^/]+/observation/[^/]+"),
+  STREAM("member/[^/]+/stream/[^/]+"),
   VERDICT("controller/[^/]+/verdict/[^/]+");
 
   private final Pattern belowRoot;
@@ -32,7 +33,7 @@ public enum MessageKind {
   public boolean isRetained() {
     return switch (this) {
       case STATUS, DESCRIPTION, STATE, VERDICT -> true;
-      case CALL, RESULT, PROGRESS, OBSERVATION -> false;
+      case CALL, RESULT, PROGRESS, OBSERVATION, STREAM -> false;
     };
   }
 }

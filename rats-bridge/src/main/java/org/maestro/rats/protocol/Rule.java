@@ -14,6 +14,10 @@ enum Rule {
   FEATURE("[^/+#\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space, '/', '+' and '#'"),
   WORD("[A-Z][A-Z0-9_]{0,62}", "a word of capital letters, digits and '_', at most 63"),
   ID("[^\\s\\p{Cntrl}]{1,128}", "1 to 128 characters without space"),
+  MEDIA_TYPE(
+      "(?=.{1,127}$)[a-z]+/[A-Za-z0-9.+-]+(;[a-z0-9-]+=[A-Za-z0-9.+-]+)*",
+      "a media type such as image/png, of at most 127 characters"),
+  DATA("[A-Za-z0-9+/]{0,253336}+={0,2}", "base64 of at most 190000 bytes"),
   TEXT("(?s).{0,8192}", "a text of at most 8192 characters");
 
   private final Pattern pattern;

@@ -69,6 +69,11 @@ public record Topics(String site) {
     return member(member) + "observation/" + feature;
   }
 
+  /** What a member streams for a call of the feature. */
+  public String stream(String member, String feature) {
+    return member(member) + "stream/" + feature;
+  }
+
   /** Filter: the status of every member. */
   public String statuses() {
     return status("+");

@@ -15,6 +15,8 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
+import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -36,7 +38,7 @@ import org.slf4j.LoggerFactory;
 public final class WireFormat {
 
   /** What this codec writes: major, that the topic names too, and minor. */
-  public static final String VERSION = "1.3";
+  public static final String VERSION = "1.4";
 
   /** The longest payload that is read, in bytes. */
   public static final int MOST_BYTES = 256 * 1024;
@@ -51,6 +53,9 @@ public final class WireFormat {
   private static final int MOST_QUOTED = 1_000;
 
   private static final long LONGEST_TIMEOUT_MILLIS = Duration.ofDays(7).toMillis();
+
+  /** The end of the year 9999. */
+  private static final long LATEST_MILLIS = 253_402_300_799_999L;
 
   private static final Logger LOG = LoggerFactory.getLogger(WireFormat.class);
 
@@ -270,6 +275,37 @@ public final class WireFormat {
         fields.text("from", Rule.NAME),
         fields.text("f", Rule.FEATURE),
         fields.told("values"));
+  }
+
+  /**
+   * @throws IllegalArgumentException also for more data than a message holds
+   */
+  public byte[] encode(StreamFrame frame) {
+    if (frame.data().length > StreamFrame.MOST_BYTES) {
+      throw new IllegalArgumentException(
+          "A frame of %d bytes is more than the %d that a message holds"
+              .formatted(frame.data().length, StreamFrame.MOST_BYTES));
+    }
+    Map<String, Object> fields = message(frame.id());
+    fields.put("from", frame.from());
+    fields.put("f", frame.feature());
+    fields.put("n", frame.number());
+    fields.put("at", frame.capturedAt().toEpochMilli());
+    fields.put("type", frame.mediaType());
+    fields.put("data", Base64.getEncoder().encodeToString(frame.data()));
+    return bytes(fields);
+  }
+
+  public StreamFrame decodeFrame(byte[] payload) {
+    Fields fields = fields(payload);
+    return new StreamFrame(
+        fields.text("id", Rule.ID),
+        fields.text("from", Rule.NAME),
+        fields.text("f", Rule.FEATURE),
+        fields.integer("n", 1, Long.MAX_VALUE),
+        Instant.ofEpochMilli(fields.integer("at", 0, LATEST_MILLIS)),
+        fields.text("type", Rule.MEDIA_TYPE),
+        fields.bytes("data"));
   }
 
   /** Of a member or of a controller. */

@@ -12,6 +12,7 @@ import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -76,7 +77,8 @@ class FrozenVersionTest {
             "observation", wire::decodeObservation,
             "status", wire::decodeStatus,
             "state", wire::decodeState,
-            "verdict", wire::decodeVerdict);
+            "verdict", wire::decodeVerdict,
+            "stream", wire::decodeFrame);
     try (Stream<Path> versions = Files.list(frozen.getParent())) {
       for (Path version : versions.sorted().toList()) {
         for (String line : Files.readAllLines(version.resolve("messages.txt"))) {
@@ -171,6 +173,17 @@ class FrozenVersionTest {
                         "maestro:effect",
                         "uses the unknown predicate calld",
                         "write called, if that is meant")))));
+    samples.put(
+        "stream",
+        wire.encode(
+            new StreamFrame(
+                "c1",
+                "cam-a",
+                "streamPictures",
+                17,
+                Instant.parse("2026-03-01T18:00:00.250Z"),
+                "image/png",
+                new byte[] {(byte) 0x89, 'P', 'N', 'G'})));
     return samples;
   }
 

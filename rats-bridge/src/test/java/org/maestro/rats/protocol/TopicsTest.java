@@ -36,6 +36,7 @@ class TopicsTest {
             topics.description("member"),
             topics.state("member"),
             topics.observation("member", "feature"),
+            topics.stream("member", "feature"),
             topics.controllerStatus("controller"),
             topics.verdict("controller", "member"));
   }

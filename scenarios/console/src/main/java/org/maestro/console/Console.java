@@ -147,7 +147,8 @@ public final class Console implements AutoCloseable {
                 "/events/bus", traffic.busNews(),
                 "/events/chat", talk.news(),
                 "/events/conversations", traffic.mailNews(),
-                "/events/faces", traffic.faceNews()));
+                "/events/faces", traffic.faceNews(),
+                "/events/streams", traffic.streamNews()));
     platform.onStory(events::told);
     platform.onStory(metrics::told);
     events.start();

@@ -170,7 +170,9 @@ final class ConsoleServer implements AutoCloseable {
 
   private void stream(RoutesConfig routes, String path, EventSource source) {
     String at = Api.ROOT + path;
-    routes.before(at, context -> context.attribute(VISIT, entrance.admit(context, VIEWER)));
+    routes.before(
+        at,
+        context -> context.attribute(VISIT, entrance.admit(context, Optional.of(source.needs()))));
     routes.sse(
         at,
         client -> {

@@ -29,6 +29,12 @@ final class EventQueue {
     return !over;
   }
 
+  /** The same of what is worth nothing late: it takes the place of one of that name that waits. */
+  boolean addInPlace(String name, JsonNode document) {
+    waiting.removeIf(event -> event.name().equals(name));
+    return add(name, document);
+  }
+
   /** The next one; empty when nothing has happened for so long. */
   Optional<Event> next(Duration patience) throws InterruptedException {
     return Optional.ofNullable(waiting.poll(patience.toNanos(), TimeUnit.NANOSECONDS));

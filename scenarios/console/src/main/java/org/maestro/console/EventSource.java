@@ -1,5 +1,7 @@
 package org.maestro.console;
 
+import org.maestro.rats.security.Role;
+
 /** What happens, for who listens. Any thread may call. */
 interface EventSource {
   /**
@@ -10,6 +12,11 @@ interface EventSource {
   void listen(EventQueue listener, Runnable then);
 
   void leave(EventQueue listener);
+
+  /** The role of who may listen on a secured site. */
+  default Role needs() {
+    return Role.VIEWER;
+  }
 
   /**
    * The same for who wants to hear of one thing above all; most tell everybody the same.

@@ -76,6 +76,8 @@ final class EventStreams implements AutoCloseable {
       if (queue.isOver()) {
         client.sendEvent("full", "Too many listen already; close another page.");
       }
+      // A browser takes nothing for a stream before it has heard something of it.
+      client.sendComment("here");
       while (!queue.isOver() && !client.terminated() && lasts.getAsBoolean()) {
         queue
             .next(BREATH)

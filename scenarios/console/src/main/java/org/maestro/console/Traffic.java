@@ -18,6 +18,7 @@ import org.maestro.console.traffic.BusTraffic;
 import org.maestro.console.traffic.CallMessages;
 import org.maestro.console.traffic.MailTraffic;
 import org.maestro.console.traffic.RoundTrips;
+import org.maestro.console.traffic.StreamedFrames;
 import org.maestro.platform.MaestroPlatform;
 import org.maestro.platform.jade.SentMessage;
 import org.maestro.rats.transport.Message;
@@ -49,6 +50,7 @@ final class Traffic implements AutoCloseable {
   private final FaceStates faces;
   private final Broadcast facesNews;
   private final FaceNews faceNews;
+  private final StreamNews streamNews;
   private Runnable endOfMail = () -> {};
   private List<Future<?>> rounds = List.of();
 
@@ -80,6 +82,7 @@ final class Traffic implements AutoCloseable {
     this.mailNews = new Broadcast("conversations", mail, thread);
     this.facesNews = new Broadcast("faces", faces, thread);
     this.faceNews = new FaceNews(facesNews);
+    this.streamNews = new StreamNews(new StreamedFrames(name, platform::instant));
   }
 
   /** The desk's question, and the search of the yellow pages that it makes the supervisor do. */
@@ -91,6 +94,7 @@ final class Traffic implements AutoCloseable {
   }
 
   private void heard(Message message) {
+    streamNews.heard(message);
     faces.heard(message);
     calls
         .read(message)
@@ -122,6 +126,10 @@ final class Traffic implements AutoCloseable {
 
   FaceNews faceNews() {
     return faceNews;
+  }
+
+  StreamNews streamNews() {
+    return streamNews;
   }
 
   /** From now on it is listened to. */

@@ -37,6 +37,20 @@ class EventQueueTest {
   }
 
   @Test
+  void whatIsWorthNothingLateIsTakenAsItIsLast() throws InterruptedException {
+    EventQueue queue = new EventQueue();
+    queue.add("story", JsonNodeFactory.instance.numberNode(0));
+    for (int i = 0; i < MORE_THAN_FIT; i++) {
+      assertThat(queue.addInPlace("streams", JsonNodeFactory.instance.numberNode(i))).isTrue();
+    }
+
+    assertThat(queue.next(Duration.ZERO)).contains(new EventQueue.Event("story", "0"));
+    assertThat(queue.next(Duration.ZERO))
+        .contains(new EventQueue.Event("streams", String.valueOf(MORE_THAN_FIT - 1)));
+    assertThat(queue.next(Duration.ZERO)).isEmpty();
+  }
+
+  @Test
   void whoHasLeftIsToldNothing() {
     EventQueue queue = new EventQueue();
     queue.end();

@@ -23,6 +23,8 @@ class FacePageTest {
       "{\"feature\": \"express\", \"parameters\": {\"expression\": \"smile\", \"intensity\": 1}}";
   private static final String LOOK =
       "{\"feature\": \"lookAt\", \"parameters\": {\"thing\": \"tv\"}}";
+  private static final String STREAM = "{\"feature\": \"streamPictures\", \"parameters\": {}}";
+  private static final String STOP = "{\"feature\": \"stopStreaming\", \"parameters\": {}}";
   private static final String DONE = "\"state\":\"done\"";
 
   @Test
@@ -52,6 +54,14 @@ class FacePageTest {
         assertThat(ended(home, LOOK)).contains(DONE);
         browser.waitForText("#doing", "looks at the television");
         Accessibility.assertForEverybody(browser, "#persona", "Kitchen");
+
+        // The kitchen's camera, on the living room's screen (ADE, 3.3; A44).
+        browser.open(home.uri() + "/stream.html#cam-kitchen");
+        browser.waitForText("#nothing", "the kitchen's camera streams nothing now");
+        home.post("/members/cam-kitchen/calls", STREAM);
+        browser.waitForText("#told", "captured at");
+        home.post("/members/cam-kitchen/calls", STOP);
+        browser.waitForText("#nothing", "the kitchen's camera streams nothing now");
         assertThat(browser.complaints()).isEmpty();
       }
     }

@@ -244,6 +244,37 @@ class TrafficTest {
     }
   }
 
+  /** What a room looks like is for who looks now (ADE, 3.3; A44). */
+  @Test
+  void aStreamIsHeardByWhoAsksForThatMemberAndIsNotKept() throws Exception {
+    String topic = "member/cam-a/stream/streamPictures";
+    String frame =
+        "{\"v\": \"1.4\", \"id\": \"c1\", \"from\": \"cam-a\", \"f\": \"streamPictures\", \"n\": 7,"
+            + " \"at\": %d, \"type\": \"image/png\", \"data\": \"iVBORw==\"}";
+    HttpResponse<InputStream> response =
+        home.stream(
+            home.to("/events/streams?of=cam-a").header("Accept", "text/event-stream").build());
+    JsonNode heard = null;
+    try (BufferedReader lines = new BufferedReader(new InputStreamReader(response.body(), UTF_8))) {
+      for (String line = lines.readLine(); line != null && heard == null; line = lines.readLine()) {
+        if (line.startsWith("data: ")) {
+          heard = new ObjectMapper().readTree(line.substring("data: ".length()));
+        } else if (line.startsWith(":")) {
+          say("member/cam-b/stream/streamPictures", frame.formatted(0));
+          say(topic, "{\"v\": \"1.4\"}");
+          say(topic, frame.formatted(System.currentTimeMillis()));
+        }
+      }
+    }
+    assertThat(heard.path("member").asText()).isEqualTo("cam-a");
+    assertThat(heard.path("number").asInt()).isEqualTo(7);
+    assertThat(heard.path("data").asText()).isEqualTo("iVBORw==");
+    assertThat(heard.has("delay_ms")).isTrue();
+    say("member/lamp-b2/mood", "whatever comes after it");
+    awaitMessage("/member/lamp-b2/mood");
+    assertThat(home.get("/bus").document().toString()).doesNotContain("/stream/");
+  }
+
   @Test
   void thePageDrawsTheContractNetAndMarksWhatIsWrong() throws Exception {
     assumeTrue(

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.MethodOrderer;
@@ -37,8 +39,10 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.guard.Guard;
+import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
+import org.maestro.rats.stream.StreamReceiver;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
@@ -80,6 +84,7 @@ class SecuredPlatformTest {
                     home:Opera a :Show ; rdfs:label "the opera"@en .
                     home:dave-evenings a :Preference ; rdfs:label "what Dave likes"@en ;
                       :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
+                    home:cam-a maestro:offers :streamPictures , :stopStreaming .
                     home:consoleIsTold a maestro:Permission ; maestro:caller "console" ;
                       maestro:reads :prefers .
                     """,
@@ -88,7 +93,7 @@ class SecuredPlatformTest {
         files,
         NAME,
         List.of("localhost", "127.0.0.1"),
-        List.of("maestro", "container-lights"),
+        List.of("maestro", "container-lights", "screen"),
         home.devices().keySet(),
         List.of("console", "tablet", "stranger"));
     SiteSettings settings =
@@ -326,6 +331,53 @@ class SecuredPlatformTest {
       assertThat(tap.bytes()).isGreaterThan(heard.stream().mapToInt(String::length).sum());
       assertThat(heard.stream().filter(text -> text.contains("lamp"))).noneMatch(tap::hasHeard);
       assertThat(tap.hasHeard(user.password().orElseThrow())).isFalse();
+    }
+  }
+
+  /** Pictures of a room on their way to another room's screen (ADE, 2 and 5; A31, A44). */
+  @Test
+  void whoTapsTheWireOfAStreamSeesNothingOfIt() throws Exception {
+    URI bus = site.broker().orElseThrow();
+    Credentials user = SiteSecurity.open(files).password("screen");
+    Queue<byte[]> seen = new ConcurrentLinkedQueue<>();
+    Queue<String> ends = new ConcurrentLinkedQueue<>();
+    try (WireTap tap = new WireTap(bus.getPort());
+        PacedClock clock = new PacedClock(1)) {
+      StreamReceiver receiver =
+          StreamReceiver.open(
+              new StreamReceiver.Wanted("cam-a", "streamPictures", Map.of("frequency", 0.2)),
+              "screen",
+              NAME,
+              new PahoTransport(
+                  URI.create(bus.getScheme() + "://" + bus.getHost() + ":" + tap.port()), user),
+              clock,
+              SiteKind.SECURED,
+              new StreamReceiver.Listener() {
+                @Override
+                public void received(StreamReceiver.Received received) {
+                  seen.add(received.frame().data());
+                }
+
+                @Override
+                public void ended(Optional<String> reason) {
+                  reason.ifPresent(ends::add);
+                }
+              });
+      try {
+        await().atMost(SOON).until(() -> seen.size() >= 2 || !ends.isEmpty());
+      } finally {
+        receiver.close();
+        receiver.left().get(SOON.toSeconds(), TimeUnit.SECONDS);
+      }
+      assertThat(ends).isEmpty();
+      assertThat(tap.bytes()).isGreaterThan(seen.stream().mapToInt(data -> data.length).sum());
+      assertThat(seen)
+          .noneMatch(
+              data -> tap.hasHeard(Base64.getEncoder().encodeToString(data).substring(0, 60)))
+          .noneMatch(
+              data -> tap.hasHeard(Base64.getEncoder().encodeToString(data).substring(600, 660)));
+      assertThat(tap.hasHeard("streamPictures")).isFalse();
+      assertThat(tap.hasHeard("image/png")).isFalse();
     }
   }
 

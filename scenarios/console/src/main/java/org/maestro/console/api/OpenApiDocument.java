@@ -81,6 +81,15 @@ public final class OpenApiDocument {
         "What the faces of the home show, as server-sent events of the name faces, each a document"
             + " as that of /faces: first all, then those that show something else. Who shows one"
             + " names it, as in /events/faces?of=screen-living.");
+    events(
+        paths,
+        "/events/streams",
+        "streamEvents",
+        "The pictures and sound that a member streams now, as server-sent events of the name streams,"
+            + " for an operator who names the member, as in /events/streams?of=cam-kitchen: each a"
+            + " document with member, feature, call, number, type, captured_at, delay_ms and data in"
+            + " base64. To listen has nothing streamed; what one cannot take in time is left out.",
+        Role.OPERATOR);
     ObjectNode components = document.putObject("components");
     components.putObject("schemas").setAll(schemas);
     components
@@ -154,12 +163,16 @@ public final class OpenApiDocument {
 
   /** They have no end, which operations of the table have. */
   private static void events(ObjectNode paths, String path, String id, String summary) {
+    events(paths, path, id, summary, Role.VIEWER);
+  }
+
+  private static void events(ObjectNode paths, String path, String id, String summary, Role role) {
     ObjectNode get =
         at(paths, path)
             .putObject("get")
             .put("operationId", id)
             .put("summary", summary)
-            .put("x-role", Role.VIEWER.word());
+            .put("x-role", role.word());
     ObjectNode responses = get.putObject("responses");
     responses
         .putObject("200")

@@ -10,14 +10,16 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.maestro.console.documents.JsonMembers;
 import org.maestro.rats.protocol.MessageCheck;
+import org.maestro.rats.protocol.MessageKind;
 import org.maestro.rats.protocol.Topics;
 import org.maestro.rats.protocol.WireFormat;
 import org.maestro.rats.transport.Message;
 import org.maestro.rats.transport.Transport;
 
 /**
- * The latest messages of a site's bus, heard by a client of its own that listens to all topics and
- * says nothing. They are kept as they came; what they are is found when somebody looks.
+ * The latest messages of a site's bus but for streams, heard by a client of its own that listens to
+ * all topics and says nothing. They are kept as they came; what they are is found when somebody
+ * looks.
  */
 public final class BusTraffic implements Source, AutoCloseable {
   private static final int MOST_MESSAGES = 1_000;
@@ -25,6 +27,7 @@ public final class BusTraffic implements Source, AutoCloseable {
   private static final int MOST_CHARACTERS = 4_000;
 
   private final Transport transport;
+  private final Topics topics;
   private final String all;
   private final Supplier<Duration> now;
   private final Consumer<Message> also;
@@ -43,7 +46,7 @@ public final class BusTraffic implements Source, AutoCloseable {
     this.transport = transport;
     this.now = now;
     this.also = also;
-    Topics topics = new Topics(site);
+    this.topics = new Topics(site);
     this.all = topics.everything();
     this.check = new MessageCheck(topics);
     this.documents = new BusMessageDocument(topics);
@@ -72,7 +75,15 @@ public final class BusTraffic implements Source, AutoCloseable {
     ring.pass();
   }
 
+  /** What rooms look and sound like is not kept, and would push out all else. */
   private void arrived(Message message) {
+    if (topics.kindOf(message.topic()).filter(MessageKind.STREAM::equals).isEmpty()) {
+      keep(message);
+    }
+    also.accept(message);
+  }
+
+  private void keep(Message message) {
     byte[] payload = message.payload();
     boolean fits = payload.length <= WireFormat.MOST_BYTES;
     ring.add(
@@ -85,7 +96,6 @@ public final class BusTraffic implements Source, AutoCloseable {
             Instant.now(),
             now.get()),
         fits ? payload.length : MOST_CHARACTERS);
-    also.accept(message);
   }
 
   @Override

@@ -81,7 +81,7 @@ public final class CallMessages {
         yield Optional.of(
             said(word, seen.id(), seen.from(), Optional.empty(), values(seen.values()), true));
       }
-      case STATUS, DESCRIPTION, STATE, VERDICT -> Optional.empty();
+      case STATUS, DESCRIPTION, STATE, STREAM, VERDICT -> Optional.empty();
     };
   }
 

@@ -1,0 +1,81 @@
+package org.maestro.launch;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.maestro.assembly.SiteBus;
+import org.maestro.rats.security.SiteSecurity;
+import picocli.CommandLine.Option;
+
+/** The bus of a site, for commands that take part in it without a platform's help. */
+final class BusOptions {
+  private static final String USUAL_SITE = "maestro";
+
+  @Option(
+      names = "--broker",
+      paramLabel = "URI",
+      description =
+          "The site's MQTT 5 broker, tcp://HOST:PORT; without: that of the platform that runs here.")
+  private Optional<String> broker = Optional.empty();
+
+  @Option(
+      names = "--site",
+      paramLabel = "NAME",
+      description = "The platform's name; with --broker, maestro unless it is said.")
+  private Optional<String> site = Optional.empty();
+
+  @Option(
+      names = "--security",
+      paramLabel = "DIR",
+      description =
+          "The files of a secured site, made by ./maestro secure; a platform that runs here tells where they are.")
+  private Optional<Path> security = Optional.empty();
+
+  /**
+   * A site's bus that was found.
+   *
+   * @param site the site's name
+   */
+  record Found(SiteBus bus, String site, URI broker, boolean isSecured) {}
+
+  Found find() {
+    if (broker.isPresent()) {
+      return found(Endpoint.broker(broker.get()), site.orElse(USUAL_SITE), security);
+    }
+    RuntimeDirectory.Running running = running();
+    URI uri =
+        running
+            .broker()
+            .map(Endpoint::broker)
+            .orElseThrow(
+                () ->
+                    CommandException.outside(
+                        "The platform %s has no broker that others reach; name one with --broker."
+                            .formatted(running.name())));
+    return found(uri, running.name(), security.or(() -> running.security().map(Path::of)));
+  }
+
+  private RuntimeDirectory.Running running() {
+    List<RuntimeDirectory.Running> all =
+        RuntimeDirectory.ofUser().running().stream()
+            .filter(one -> site.isEmpty() || site.get().equals(one.name()))
+            .toList();
+    if (all.isEmpty()) {
+      throw CommandException.outside(
+          "No platform of that name runs here; start one, or name its broker with --broker URI.");
+    }
+    if (all.size() > 1) {
+      throw CommandException.badInput(
+          "Several platforms run (%s); choose one with --site NAME."
+              .formatted(
+                  String.join(", ", all.stream().map(RuntimeDirectory.Running::name).toList())));
+    }
+    return all.get(0);
+  }
+
+  private static Found found(URI uri, String site, Optional<Path> files) {
+    Optional<SiteSecurity> opened = files.map(SiteSecurity::open);
+    return new Found(new SiteBus(uri, site, opened), site, uri, opened.isPresent());
+  }
+}
