@@ -126,7 +126,8 @@ public final class StreamAnalyst implements AutoCloseable {
               measured.merge(
                   word,
                   value,
-                  (before, now) -> PASSING.contains(word) && !isFirst ? Math.max(before, now) : now));
+                  (before, now) ->
+                      PASSING.contains(word) && !isFirst ? Math.max(before, now) : now));
       areTold = false;
     }
 

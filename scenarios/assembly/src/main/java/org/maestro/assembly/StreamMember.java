@@ -41,7 +41,12 @@ public final class StreamMember {
    * @param transport not open yet; closed with the member
    */
   public static RatsMember replaying(
-      Recording recording, String id, CallPolicy policy, Transport transport, String site, Clock clock) {
+      Recording recording,
+      String id,
+      CallPolicy policy,
+      Transport transport,
+      String site,
+      Clock clock) {
     MemberProfile.Feature feature =
         new MemberProfile.Feature(
             REPLAY,

@@ -20,7 +20,9 @@ import org.maestro.rats.protocol.StreamFrame;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 
-/** What an analyst far from the camera tells of its frames (ADE, 3.3; A44), on the stepped clock. */
+/**
+ * What an analyst far from the camera tells of its frames (ADE, 3.3; A44), on the stepped clock.
+ */
 class StreamAnalystTest {
   private static final String PICTURE = "image/png";
   private static final String SOUND = "audio/L16;rate=16000;channels=1";
@@ -34,10 +36,8 @@ class StreamAnalystTest {
   @BeforeEach
   void join() {
     link = BusLink.connect("cca", "home", bus.client("cca"), clock);
-    link.watch(
-        "looker", member -> member.state().ifPresent(state -> told.add(state.values())));
-    analyst =
-        StreamAnalyst.start("looker", CallPolicy.OPEN, bus.client("looker"), "home", clock);
+    link.watch("looker", member -> member.state().ifPresent(state -> told.add(state.values())));
+    analyst = StreamAnalyst.start("looker", CallPolicy.OPEN, bus.client("looker"), "home", clock);
     clock.run(Duration.ofSeconds(1));
   }
 

@@ -253,7 +253,8 @@ class SecuredConsoleTest {
       assertThat(refused.status()).as(refused.toString()).isEqualTo(400);
       assertThat(refused.problem())
           .contains(
-              "prefers is private in this home, and no maestro:Permission lets desk or erin read it")
+              "prefers is private in this home, and no maestro:Permission lets desk or erin read"
+                  + " it")
           .doesNotContain("Opera");
     }
     home.assertValid(home.send(as("erin", "/goals")).document(), "goals");
@@ -301,7 +302,8 @@ class SecuredConsoleTest {
   @Test
   void theChatIsHeardByAllAndTellsNothingPrivate() throws Exception {
     String said =
-        "{\"person\": \"Bob\", \"room\": \"room-a\", \"text\": \"? (prefers dave-evenings ?show)\"}";
+        "{\"person\": \"Bob\", \"room\": \"room-a\", \"text\": \"? (prefers dave-evenings"
+            + " ?show)\"}";
     ServedHome.Answer accepted = home.send(posting(as("alice", "/chat"), said));
     assertThat(accepted.status()).as(accepted.toString()).isEqualTo(201);
     await(() -> home.send(as("screen", "/chat")).document().toString().contains("is private"));
@@ -327,6 +329,9 @@ class SecuredConsoleTest {
   @Test
   void eachMayWhatHerRoleSays() throws Exception {
     assertThat(home.send(as("screen", "/goals")).status()).isEqualTo(200);
+    assertThat(home.sendWhole(as("screen", "/events/streams?of=cam-a")).statusCode())
+        .as("what a room looks like is for operators")
+        .isEqualTo(403);
     assertThat(
             home.send(posting(as("screen", "/previews"), "{\"goal\": \"(in rose zone-a)\"}"))
                 .status())

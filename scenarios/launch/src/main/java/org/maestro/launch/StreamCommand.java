@@ -56,7 +56,8 @@ final class StreamCommand implements Callable<Integer> {
       names = "--with",
       paramLabel = "NAME=NUMBER",
       description =
-          "A parameter of the feature, such as frequency=5 or tone=440; may be given several times.")
+          "A parameter of the feature, such as frequency=5 or tone=440; may be given several"
+              + " times.")
   private Map<String, Double> parameters = new LinkedHashMap<>();
 
   @Option(
@@ -75,7 +76,8 @@ final class StreamCommand implements Callable<Integer> {
       names = "--analyse-as",
       paramLabel = "ID",
       description =
-          "Join as a member of that name, and tell by it how bright pictures are and how much in them moves, or how strong and high sound is.")
+          "Join as a member of that name, and tell by it how bright pictures are and how much in"
+              + " them moves, or how strong and high sound is.")
   private Optional<String> analyst = Optional.empty();
 
   @Option(
@@ -114,7 +116,8 @@ final class StreamCommand implements Callable<Integer> {
   private void requireSense() {
     if (recorded.isPresent() == member.isPresent()) {
       throw CommandException.badInput(
-          "Name either the MEMBER whose stream is wanted, or a recording with --replay FILE --as ID.");
+          "Name either the MEMBER whose stream is wanted, or a recording with --replay FILE --as"
+              + " ID.");
     }
     if (recorded.isPresent() != player.isPresent()) {
       throw CommandException.badInput(
@@ -133,7 +136,12 @@ final class StreamCommand implements Callable<Integer> {
     try (PacedClock clock = new PacedClock(1);
         RatsMember playing =
             StreamMember.replaying(
-                recording, id, site.bus().policy(), site.bus().transports().apply(id), site.site(), clock)) {
+                recording,
+                id,
+                site.bus().policy(),
+                site.bus().transports().apply(id),
+                site.site(),
+                clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "The recording %s (%d frames) is %s on %s."
@@ -158,7 +166,12 @@ final class StreamCommand implements Callable<Integer> {
       Optional<StreamAnalyst> analysing =
           analyst.map(
               id ->
-                  StreamAnalyst.start(id, site.bus().policy(), site.bus().transports().apply(id), site.site(), clock));
+                  StreamAnalyst.start(
+                      id,
+                      site.bus().policy(),
+                      site.bus().transports().apply(id),
+                      site.site(),
+                      clock));
       StreamReception reception =
           new StreamReception(
               wanted,

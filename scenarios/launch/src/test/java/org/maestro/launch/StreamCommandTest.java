@@ -113,7 +113,8 @@ class StreamCommandTest {
           .contains("player streams (replay).")
           .containsPattern("6 frames \\([0-9]+ kB\\) in [0-9.]+ s; 0 did not arrive, in 0 gaps\\.")
           .containsPattern(
-              "Delay from capture to arrival: p50 [0-9.]+ ms, p99 [0-9.]+ ms, at most [0-9.]+ ms\\.");
+              "Delay from capture to arrival: p50 [0-9.]+ ms, p99 [0-9.]+ ms, at most [0-9.]+"
+                  + " ms\\.");
       List<StreamFrame> before = Recording.read(pictures).frames();
       List<StreamFrame> after = Recording.read(again).frames();
       assertThat(after).hasSize(6);
