@@ -1,5 +1,7 @@
 package org.maestro.agents.content;
 
+import java.util.Set;
+
 /**
  * Local names of the agents of which a platform has one, and of those that are named after theirs.
  */
@@ -13,9 +15,15 @@ public final class AgentNames {
   /** Where people state goals and ask; it alone speaks for others than its own process. */
   public static final String DESK = "desk";
 
+  private static final Set<String> CENTRAL = Set.of(COORDINATOR, KNOWLEDGE, SUPERVISOR, DESK);
   private static final String HOST = "host-";
 
   private AgentNames() {}
+
+  /** Whether an agent of that name lives in the main container, and nowhere else. */
+  public static boolean isCentral(String localName) {
+    return CENTRAL.contains(localName);
+  }
 
   /** The agent that offers a host to the platform. */
   public static String ofHost(String host) {
