@@ -13,6 +13,7 @@ import org.maestro.agents.centre.DeploymentRequests;
 import org.maestro.agents.centre.GoalRequests;
 import org.maestro.agents.centre.HomeRules;
 import org.maestro.agents.centre.HostedReasoners;
+import org.maestro.agents.centre.Reporters;
 import org.maestro.agents.centre.Sayings;
 import org.maestro.agents.centre.ToldStories;
 import org.maestro.agents.centre.Undoing;
@@ -29,6 +30,8 @@ import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.PartGuard;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.coordination.Coordinator;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.Reasoner;
@@ -37,6 +40,7 @@ import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.ontology.home.Part;
 import org.maestro.planning.api.Planner;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
@@ -72,6 +76,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
   private final transient Sayings sayings;
   private final transient HomeRules rules;
   private final transient HostedReasoners reasoners;
+  private final transient Reporters reporters;
+  private final transient PartGuard parts;
   private final transient DeploymentRequests deployment = new DeploymentRequests(this);
   private final transient Set<String> present = new ConcurrentSkipListSet<>();
 
@@ -81,6 +87,7 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
    * @param past what it goes on from
    * @param dialogues what persons have said before
    * @param reasoners of others that say which goals they want
+   * @param spokesmen who is believed what he reports of members, and needs no permission
    */
   public CoordinatorAgent(
       Birth birth,
@@ -91,7 +98,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
       Duration decisionTime,
       Past past,
       Dialogues dialogues,
-      List<Reasoner> reasoners) {
+      List<Reasoner> reasoners,
+      Spokesmen spokesmen) {
     super(birth, time);
     this.knowledge = knowledge;
     this.recovery = past.recovery();
@@ -114,6 +122,8 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
     this.sayings = new Sayings(this, knowledge, coordinator, requests, undoing, dialogues, faces);
     this.rules = new HomeRules(this, knowledge.home(), requests);
     this.reasoners = new HostedReasoners(this, knowledge, reasoners, requests);
+    this.reporters = new Reporters(this, spokesmen);
+    this.parts = new PartGuard(this, knowledge::home, spokesmen);
   }
 
   /** The members that can be used now. Any thread may ask. */
@@ -230,9 +240,17 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
                 + " is for its own platform.");
         continue;
       }
+      Optional<Part> part = part(content.operator());
+      if (part.isPresent() && !parts.admits(message, words, part.get())) {
+        continue;
+      }
       switch (content.operator()) {
         case "initCNP" -> requests.goal(message, words);
-        case "inform" -> memberNews(message, words, content);
+        case "inform" -> {
+          if (reporters.areHeard(message, words, knowledge.home(), coordinator, stories)) {
+            memberNews(message, words, content);
+          }
+        }
         case "yield" -> deliberation.askedToYield(message, words);
         case "cancel" -> requests.cancel(message, words);
         case "undo" -> undoing.undo(message, words);
@@ -259,6 +277,16 @@ public final class CoordinatorAgent extends MaestroAgent implements AgentLifeLis
                     + " query-ref and perform.");
       }
     }
+  }
+
+  private static Optional<Part> part(String operator) {
+    return switch (operator) {
+      case "initCNP", "cancel", "undo", "answer", "await" -> Optional.of(Part.GOALS);
+      case "say" -> Optional.of(Part.UNDERSTANDING);
+      case "explain", "subscribe", "query-ref" -> Optional.of(Part.STORIES);
+      case "perform" -> Optional.of(Part.ADMINISTRATION);
+      default -> Optional.empty();
+    };
   }
 
   private void memberNews(ACLMessage message, Words words, Content whole) {

@@ -27,9 +27,11 @@ import org.maestro.agents.knowledge.KnowledgeCache;
 import org.maestro.agents.lives.AgentLifeListener;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.agents.runtime.OtherPlatform;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.coordination.api.AnswerLog;
 import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Mood;
@@ -63,27 +65,31 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
   private final transient Map<String, Mood> moods = BoundedMap.ofNewest(AGENTS_KEPT);
 
   private final transient Function<String, Optional<String>> agentByRoom;
+  private final transient Spokesmen spokesmen;
 
   /**
    * One that keeps no answers to questions of scripts, of a home in which no room has an agent that
    * listens.
    */
   public DeskAgent(Birth birth, AgentTime time) {
-    this(birth, time, (answer, then) -> then.run(), room -> Optional.empty());
+    this(birth, time, (answer, then) -> then.run(), room -> Optional.empty(), Spokesmen.BY_NAME);
   }
 
   /**
    * @param answers where those to questions of scripts are kept
    * @param agentByRoom the agent that hears what is said in a room, by the room's name, if one does
+   * @param spokesmen agents that, like the central one, may have people told something
    */
   public DeskAgent(
       Birth birth,
       AgentTime time,
       AnswerLog answers,
-      Function<String, Optional<String>> agentByRoom) {
+      Function<String, Optional<String>> agentByRoom,
+      Spokesmen spokesmen) {
     super(birth, time);
     this.answers = answers;
     this.agentByRoom = agentByRoom;
+    this.spokesmen = spokesmen;
   }
 
   /**
@@ -144,7 +150,14 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
       Optional<Speech> speech = SpeechWords.read(content);
       Optional<Mood> mood = SpeechWords.mood(content);
       Optional<GivenAnswer> answer = SpeechWords.given(content);
-      if (speech.isPresent()) {
+      boolean isForPeople = speech.isPresent() || mood.isPresent() || answer.isPresent();
+      if (isForPeople && !mayTellPeople(Caller.of(message))) {
+        refuse(
+            message,
+            ACLMessage.REFUSE,
+            "%s stands for nothing in this home and tells people nothing; state goals to the CCA."
+                .formatted(Caller.of(message)));
+      } else if (speech.isPresent()) {
         said(speech.get());
         confirm(message, speech.get().part());
       } else if (mood.isPresent()) {
@@ -156,6 +169,11 @@ public final class DeskAgent extends MaestroAgent implements AgentLifeListener {
         protest(message);
       }
     }
+  }
+
+  /** What people hear, and what was answered, is told by those who pursue goals alone (A23). */
+  private boolean mayTellPeople(Caller caller) {
+    return spokesmen.isOwn(caller);
   }
 
   private void confirm(ACLMessage message, String part) {

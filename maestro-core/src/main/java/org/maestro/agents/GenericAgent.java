@@ -31,15 +31,18 @@ import org.maestro.agents.device.PriceResponder;
 import org.maestro.agents.device.RequestGuard;
 import org.maestro.agents.device.Settling;
 import org.maestro.agents.device.Surroundings;
+import org.maestro.agents.device.ToldRights;
 import org.maestro.agents.goals.OwnGoalRequests;
 import org.maestro.agents.goals.OwnGoals;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
+import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.Charge;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.DeviceFile;
+import org.maestro.rats.security.SitePersons;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -51,12 +54,17 @@ import org.slf4j.LoggerFactory;
  * features over the bus and says what its members say of themselves.
  *
  * <p>JADE can make it by its class name, in any container of MAESTRO, also from its GUI: with the
- * path of a device file as argument, or with none for a member of the agent's name. It can move; it
- * then goes as soon as nothing is under way.
+ * path of a device file as argument, or with none for a member of the agent's name. Started so it
+ * registers with the supervisor before it does anything (ADE, 3.1; A20), on a secured site with two
+ * arguments more: the name of a person, and the path of the file with her password; {@code -} takes
+ * the place of a device file. It can move; it then goes as soon as nothing is under way.
  */
 public final class GenericAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(GenericAgent.class);
+
+  private static final Duration REGISTERED_WITHIN = Duration.ofSeconds(60);
+  private static final String NO_FILE = "-";
 
   private final LinkedHashSet<AID> listeners = new LinkedHashSet<>();
   private final FormerCalls formerCalls = new FormerCalls();
@@ -66,6 +74,9 @@ public final class GenericAgent extends MaestroAgent {
   private String configuration = "";
 
   private @Nullable Movement movement;
+
+  /** Whether the supervisor has not started it, and has not taken it in yet. */
+  private boolean isStranger;
 
   private transient Optional<Surroundings> here = Optional.empty();
   private transient Map<String, MemberProxy> proxies = Map.of();
@@ -147,7 +158,43 @@ public final class GenericAgent extends MaestroAgent {
             clock().isStepped() ? Duration.ZERO : patience(Settling.LONGEST),
             () -> all.values().stream().allMatch(proxy -> proxy.view().isReady()),
             this::tell);
-    all.values().forEach(MemberProxy::begin);
+    if (isStranger) {
+      register(start);
+    } else {
+      all.values().forEach(MemberProxy::begin);
+    }
+  }
+
+  /** Who shows no name and password where those are wanted is nobody's agent, and ends. */
+  private void register(AgentStart start) {
+    ask(
+        message(
+            ACLMessage.REQUEST,
+            getAID(AgentNames.SUPERVISOR),
+            StartWords.registration(start, shown())),
+        REGISTERED_WITHIN,
+        reply -> {
+          if (reply.getPerformative() == ACLMessage.INFORM) {
+            isStranger = false;
+            proxies.values().forEach(MemberProxy::begin);
+          } else if (Conversations.isFinal(reply)) {
+            LOG.error(
+                "The agent {} ends, as it is not registered: {}",
+                getLocalName(),
+                Replies.reason(reply).orElse("no supervisor answers."));
+            doDelete();
+          }
+        });
+  }
+
+  private Optional<StartWords.Shown> shown() {
+    Object[] arguments = getArguments();
+    return arguments == null || arguments.length < 3
+        ? Optional.empty()
+        : Optional.of(
+            new StartWords.Shown(
+                String.valueOf(arguments[1]).strip(),
+                SitePersons.passwordIn(Path.of(String.valueOf(arguments[2]).strip()))));
   }
 
   /** How it is to begin: as it was told, as it was before it moved, or as its arguments say. */
@@ -156,10 +203,11 @@ public final class GenericAgent extends MaestroAgent {
     if (configuration.isEmpty() && arguments != null && arguments.length > 0) {
       String first = String.valueOf(arguments[0]).strip();
       configuration = first.startsWith("(" + StartWords.OPERATOR) ? first : "";
-      if (configuration.isEmpty()) {
+      if (configuration.isEmpty() && !first.equals(NO_FILE)) {
         startedByHand(started(Path.of(first)));
       }
-    } else if (configuration.isEmpty()) {
+    }
+    if (configuration.isEmpty()) {
       startedByHand(AgentStart.of(getLocalName(), here().getName()));
     }
     return StartWords.read(Words.of(Words.parse(configuration).get(0)));
@@ -174,11 +222,10 @@ public final class GenericAgent extends MaestroAgent {
     return new AgentStart(getLocalName(), charges, container, Set.of(), container);
   }
 
-  /** The supervisor has to hear of an agent that it did not start. */
+  /** The supervisor has to take in an agent that it did not start. */
   private void startedByHand(AgentStart start) {
-    Content words = StartWords.content(start);
-    configuration = Words.print(words);
-    send(message(ACLMessage.INFORM, getAID(AgentNames.SUPERVISOR), words));
+    configuration = Words.print(StartWords.content(start));
+    isStranger = true;
   }
 
   private void announce(Content news) {
@@ -274,6 +321,8 @@ public final class GenericAgent extends MaestroAgent {
                 () ->
                     door.asked(message, words, its -> its.arbitration().giveBack(message, words)));
         case "describe" -> door.when(message, ACLMessage.REQUEST, () -> describe(message, words));
+        case ToldRights.OPERATOR ->
+            door.when(message, ACLMessage.REQUEST, () -> permit(message, words));
         case "cancel" -> cancel(message, words);
         case "subscribe" -> door.when(message, ACLMessage.SUBSCRIBE, () -> subscribe(message));
         case "query-ref" ->
@@ -308,6 +357,27 @@ public final class GenericAgent extends MaestroAgent {
     } else {
       configure(message, words);
     }
+  }
+
+  /** Who may ask what is told by the knowledge agent, which has it of the home's file. */
+  private void permit(ACLMessage message, Words words) {
+    if (!message.getSender().equals(getAID(AgentNames.KNOWLEDGE))) {
+      refuse(
+          message,
+          ACLMessage.REFUSE,
+          "Who may ask for what stands in the home's file; only the knowledge agent tells it.");
+      return;
+    }
+    door.asked(
+        message,
+        words,
+        proxy -> {
+          proxy.permit(words);
+          reply(
+              message,
+              ACLMessage.INFORM,
+              Words.content("inform", Words.named("done", Words.name(ToldRights.OPERATOR))));
+        });
   }
 
   private void describe(ACLMessage message, Words words) {

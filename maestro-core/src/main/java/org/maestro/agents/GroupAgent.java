@@ -25,12 +25,16 @@ import org.maestro.agents.rooms.RoomListening;
 import org.maestro.agents.rooms.RoomSpeech;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.PartGuard;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.coordination.api.Stakes;
 import org.maestro.coordination.api.Story;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.Group;
+import org.maestro.ontology.home.Part;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Content;
 import org.maestro.sl.Evaluation;
@@ -63,6 +67,8 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   private final transient ReasoningServices mind;
   private final transient Group group;
   private final transient OwnGoals goals;
+  private final transient Spokesmen spokesmen;
+  private final transient PartGuard parts;
 
   /** The life in which a member that is there is known: its agent may come to live elsewhere. */
   private final transient Map<String, String> present = new TreeMap<>();
@@ -78,6 +84,7 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   /**
    * @param past of the platform, with which its goals go on
    * @param dialogues what persons have said before
+   * @param spokesmen who is believed what he reports of members, and needs no permission
    */
   public GroupAgent(
       Birth birth,
@@ -86,9 +93,12 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
       Group group,
       Story story,
       Past past,
-      Dialogues dialogues) {
+      Dialogues dialogues,
+      Spokesmen spokesmen) {
     super(birth, time);
     this.mind = mind;
+    this.spokesmen = spokesmen;
+    this.parts = new PartGuard(this, mind.knowledge()::home, spokesmen);
     this.group = group;
     this.goals =
         new OwnGoals(
@@ -234,6 +244,10 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   protected void received(ACLMessage message) {
     for (Content content : Words.parse(message.getContent())) {
       Words words = Words.of(content);
+      Optional<Part> part = part(content.operator());
+      if (part.isPresent() && !parts.admits(message, words, part.get())) {
+        continue;
+      }
       switch (content.operator()) {
         case "inform" -> memberNews(message, words);
         case "yield" -> goals.askedToYield(message, words);
@@ -247,6 +261,15 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
         default -> notUnderstood(message, content);
       }
     }
+  }
+
+  private static Optional<Part> part(String operator) {
+    return switch (operator) {
+      case "initCNP", "cancel", "answer" -> Optional.of(Part.GOALS);
+      case "say", "understand" -> Optional.of(Part.UNDERSTANDING);
+      case "query-ref" -> Optional.of(Part.STORIES);
+      default -> Optional.empty();
+    };
   }
 
   private void heard(ACLMessage message, Content content, Consumer<RoomListening> what) {
@@ -267,10 +290,11 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
   /** An agent speaks of its own member only; that one is gone the supervisor may say as well. */
   private void memberNews(ACLMessage message, Words words) {
     String member = words.string("member").orElse("");
-    String sender = message.getSender().getLocalName();
+    Caller caller = Caller.of(message);
     boolean isLost = words.string("phase").filter("lost"::equals).isPresent();
+    boolean isOfTheSupervisor = isLost && caller.agent().equals(AgentNames.SUPERVISOR);
     if (!called.contains(member)
-        || !member.equals(sender) && !(isLost && sender.equals(AgentNames.SUPERVISOR))) {
+        || !isOfTheSupervisor && spokesmen.objection(caller, member).isPresent()) {
       return;
     }
     if (ContractWords.areIn(words)) {

@@ -17,7 +17,7 @@ import org.maestro.agents.content.AccountWords;
 import org.maestro.agents.content.BeliefWords;
 import org.maestro.agents.content.VerdictWords;
 import org.maestro.agents.content.Words;
-import org.maestro.agents.device.Rights;
+import org.maestro.agents.device.ToldRights;
 import org.maestro.agents.knowledge.BeliefSubscriptions;
 import org.maestro.agents.knowledge.KnowledgeSubscriptions;
 import org.maestro.agents.knowledge.Readers;
@@ -26,6 +26,8 @@ import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.PartGuard;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.QuestionReader;
 import org.maestro.knowledge.api.Answer;
@@ -40,10 +42,9 @@ import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.knowledge.habits.HabitLog;
 import org.maestro.knowledge.habits.Habits;
-import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.DescriptionCheck;
 import org.maestro.ontology.home.Device;
-import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Part;
 import org.maestro.ontology.home.ReadingRights;
 import org.maestro.ontology.home.WordList;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -84,44 +85,56 @@ public final class KnowledgeAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
 
   private static final int MILLIS_PER_SECOND = 1_000;
+  private static final Source OF_THE_HOME = new Source(Source.Kind.DESCRIBED, Source.HOME);
 
   private final transient KnowledgeBase knowledge;
   private final transient BiFunction<String, String, Device> describedBy;
   private final transient ToldFacts toldFacts = new ToldFacts();
   private final transient KnowledgeSubscriptions subscriptions =
-      new KnowledgeSubscriptions(this::inform);
+      new KnowledgeSubscriptions(
+          this::inform, (request, reason) -> refuse(request, ACLMessage.REFUSE, reason));
   private final transient BeliefSubscriptions copies =
       new BeliefSubscriptions((message, news) -> answer(message, news.stream()));
 
   private final transient Habits habits;
   private final transient Readers readers;
+  private final transient Spokesmen spokesmen;
+  private final transient PartGuard parts;
+  private final transient ToldRights told;
 
-  private transient Optional<AccessRead> accessRead = Optional.empty();
   private transient Clock.Timer review = () -> {};
 
-  /** One that remembers no habits beyond its own end. */
+  /**
+   * One that remembers no habits beyond its own end, and believes of each member the agent of its
+   * name.
+   */
   public KnowledgeAgent(
       Birth birth,
       AgentTime time,
       KnowledgeBase knowledge,
       BiFunction<String, String, Device> describedBy) {
-    this(birth, time, knowledge, describedBy, HabitLog.NONE);
+    this(birth, time, knowledge, describedBy, HabitLog.NONE, Spokesmen.BY_NAME);
   }
 
   /**
    * @param habitLog remembers what is counted
+   * @param spokesmen who is believed what he tells of members
    */
   public KnowledgeAgent(
       Birth birth,
       AgentTime time,
       KnowledgeBase knowledge,
       BiFunction<String, String, Device> describedBy,
-      HabitLog habitLog) {
+      HabitLog habitLog,
+      Spokesmen spokesmen) {
     super(birth, time);
     this.knowledge = knowledge;
     this.describedBy = describedBy;
     this.habits = new Habits(knowledge, time.clock(), habitLog);
     this.readers = new Readers(knowledge::home);
+    this.spokesmen = spokesmen;
+    this.parts = new PartGuard(this, knowledge::home, spokesmen);
+    this.told = new ToldRights(this, knowledge::home);
   }
 
   @Override
@@ -129,6 +142,9 @@ public final class KnowledgeAgent extends MaestroAgent {
     super.setup();
     knowledge.watch(
         change -> {
+          if (change.source().equals(OF_THE_HOME)) {
+            tell(told::changed);
+          }
           if (!subscriptions.isEmpty()) {
             tell(() -> subscriptions.changed(knowledge.snapshot()));
           }
@@ -188,6 +204,10 @@ public final class KnowledgeAgent extends MaestroAgent {
 
   private void received(ACLMessage message, Content content) {
     Words words = Words.of(content);
+    Optional<Part> part = part(content.operator());
+    if (part.isPresent() && !parts.admits(message, words, part.get())) {
+      return;
+    }
     switch (content.operator()) {
       case "inform" -> informed(message, words);
       case "query-if" -> queryIf(message, words);
@@ -203,6 +223,14 @@ public final class KnowledgeAgent extends MaestroAgent {
     }
   }
 
+  private static Optional<Part> part(String operator) {
+    return switch (operator) {
+      case "inform" -> Optional.of(Part.TELLING);
+      case "query-if", "query-ref", "subscribe" -> Optional.of(Part.MEMORY);
+      default -> Optional.empty();
+    };
+  }
+
   private void informed(ACLMessage message, Words words) {
     Optional<String> forged = spokenFor(message, words);
     if (forged.isPresent()) {
@@ -215,7 +243,7 @@ public final class KnowledgeAgent extends MaestroAgent {
       Device device =
           describedBy.apply(words.string("description").get(), words.string("member").orElse(""));
       knowledge.describe(device);
-      answer.addAll(Rights.words(access(), device));
+      answer.addAll(told.introduced(device, message.getSender()));
     } else if (AccountWords.condition(words).isPresent()) {
       words
           .string("member")
@@ -244,28 +272,14 @@ public final class KnowledgeAgent extends MaestroAgent {
     }
   }
 
-  /** To look through a home for permissions takes long where many devices come at once. */
-  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
-  private AccessList access() {
-    Home now = knowledge.home();
-    if (accessRead.isEmpty() || accessRead.get().home() != now) {
-      accessRead = Optional.of(new AccessRead(now, AccessList.of(now)));
-    }
-    return accessRead.get().list();
-  }
-
-  private record AccessRead(Home home, AccessList list) {}
-
-  /** Where it is proven who speaks, nobody but its own agent speaks for a device. */
+  /** Nobody but its own agent speaks for a device, and introduces one (A23). */
   private Optional<String> spokenFor(ACLMessage message, Words words) {
-    Caller caller = Caller.of(message);
+    boolean isIntroduced = words.string("description").isPresent();
     return words
         .string("source")
         .or(() -> words.string("member"))
-        .filter(source -> caller.user().isPresent())
-        .filter(knowledge.home().devices()::containsKey)
-        .filter(source -> !source.equals(caller.agent()))
-        .map(source -> "%s does not speak for %s; its own agent does.".formatted(caller, source));
+        .filter(source -> isIntroduced || knowledge.home().devices().containsKey(source))
+        .flatMap(source -> spokesmen.objection(Caller.of(message), source));
   }
 
   private void learn(Words words) {
@@ -429,7 +443,7 @@ public final class KnowledgeAgent extends MaestroAgent {
     }
     reply(message, ACLMessage.AGREE, Words.content("subscribe", Words.formula(formula.get())));
     subscriptions.add(
-        message, formula.get(), within(words), rights(message, words), knowledge.snapshot());
+        message, formula.get(), within(words), () -> rights(message, words), knowledge.snapshot());
   }
 
   private void cancel(ACLMessage message) {

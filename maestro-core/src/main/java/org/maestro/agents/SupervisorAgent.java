@@ -16,7 +16,10 @@ import org.maestro.agents.content.StartWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.PartGuard;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.agents.supervision.AgentChanges;
 import org.maestro.agents.supervision.Containers;
 import org.maestro.agents.supervision.Handover;
@@ -29,6 +32,8 @@ import org.maestro.agents.supervision.Welcome;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.deployment.DeploymentException;
+import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Part;
 import org.maestro.rats.link.RatsLink;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
@@ -52,18 +57,33 @@ public final class SupervisorAgent extends MaestroAgent {
   private static final long serialVersionUID = 1L;
   private static final Logger LOG = LoggerFactory.getLogger(SupervisorAgent.class);
 
+  /** What processes ask for themselves; what they have to show for it is another matter. */
+  private static final Set<String> OF_CONTAINERS = Set.of("join", "joined", "offer");
+
   private final transient RatsLink link;
   private final transient Containers containers;
+  private final transient PartGuard parts;
   private final transient AgentChanges changes;
   private final transient TablesTold tables;
   private final transient Introductions introductions;
   private final transient SupervisorOrders orders = new SupervisorOrders(this);
   private final transient RequestEnds ends = new RequestEnds(this);
 
-  public SupervisorAgent(Birth birth, AgentTime time, RatsLink link, Containers containers) {
+  /**
+   * @param home as it is known at the time, which says who may order what
+   * @param spokesmen who needs no permission
+   */
+  public SupervisorAgent(
+      Birth birth,
+      AgentTime time,
+      RatsLink link,
+      Containers containers,
+      Supplier<Home> home,
+      Spokesmen spokesmen) {
     super(birth, time);
     this.link = link;
     this.containers = containers;
+    this.parts = new PartGuard(this, home, spokesmen);
     this.changes = new AgentChanges(this, containers);
     this.tables = new TablesTold(this, containers);
     this.introductions = new Introductions(this, containers);
@@ -88,7 +108,7 @@ public final class SupervisorAgent extends MaestroAgent {
         case "query-ref" -> tables.list(message);
         case "perform" -> perform(message, words);
         case "refer" -> introductions.refer(message, words);
-        case StartWords.OPERATOR -> startedByHand(StartWords.read(words));
+        case StartWords.OPERATOR -> startedByHand(message, words);
         default ->
             refuse(
                 message,
@@ -102,16 +122,16 @@ public final class SupervisorAgent extends MaestroAgent {
 
   private void perform(ACLMessage message, Words words) {
     String action = words.string("action").orElse("");
+    if (!OF_CONTAINERS.contains(action) && !parts.admits(message, words, Part.ADMINISTRATION)) {
+      return;
+    }
     switch (action) {
       case "join" ->
-          beside(
-              message,
-              () -> containers.admit(container(words), message.getSender().getLocalName()),
-              handover -> admitted(message, handover));
+          beside(message, () -> admit(message, words), handover -> admitted(message, handover));
       case "joined" ->
           beside(
               message,
-              () -> containers.welcome(container(words)),
+              () -> welcome(message, words),
               welcome -> welcomed(message, words.string("container").orElse(""), welcome));
       case "offer" -> offer(message, words);
       case "add" -> add(message, words);
@@ -133,6 +153,17 @@ public final class SupervisorAgent extends MaestroAgent {
                   + Replies.shortened(action)
                   + "; it can add, move, reconfigure, remove, stop and revive.");
     }
+  }
+
+  private Handover admit(ACLMessage message, Words words) {
+    Caller caller = Caller.of(message);
+    containers.requireHost(caller);
+    return containers.admit(container(words), caller.agent());
+  }
+
+  private Welcome welcome(ACLMessage message, Words words) {
+    containers.requireHost(Caller.of(message));
+    return containers.welcome(container(words));
   }
 
   private void stop(ACLMessage message, Optional<String> member) {
@@ -177,6 +208,7 @@ public final class SupervisorAgent extends MaestroAgent {
       return;
     }
     try {
+      containers.requireHost(Caller.of(message));
       containers
           .offered(host, provides)
           .ifPresentOrElse(
@@ -187,7 +219,7 @@ public final class SupervisorAgent extends MaestroAgent {
                       ACLMessage.REFUSE,
                       "The bus of this platform lives in its own process; agents elsewhere could"
                           + " not reach it."));
-    } catch (IllegalArgumentException e) {
+    } catch (IllegalArgumentException | DeploymentException e) {
       refuse(message, ACLMessage.REFUSE, Objects.requireNonNullElse(e.getMessage(), e.toString()));
     }
   }
@@ -225,11 +257,29 @@ public final class SupervisorAgent extends MaestroAgent {
     reply(message, ACLMessage.INFORM, answer.toArray(Content[]::new));
   }
 
-  private void startedByHand(AgentStart start) {
+  /** An agent that was not started here registers, and nobody for another (ADE, 3.1; A20). */
+  private void startedByHand(ACLMessage message, Words words) {
+    AgentStart start = StartWords.read(words);
+    Caller caller = Caller.of(message);
+    if (!start.agent().equals(caller.agent())) {
+      refuse(message, ACLMessage.REFUSE, "An agent registers itself, and nobody does it for one.");
+      return;
+    }
+    beside(
+        message,
+        () -> {
+          registered(start, caller, StartWords.shown(words));
+          return start;
+        },
+        taken -> ends.done(message, "The agent " + taken.agent() + " is registered."));
+  }
+
+  private void registered(AgentStart start, Caller caller, Optional<StartWords.Shown> shown) {
     try {
-      containers.startedByHand(start);
+      containers.startedByHand(start, caller, shown);
     } catch (DeploymentException e) {
-      LOG.warn("An agent that was started by hand is not looked after: {}", e.getMessage());
+      LOG.warn("An agent that was started by hand is not taken in: {}", e.getMessage());
+      throw e;
     }
   }
 

@@ -58,6 +58,7 @@ import org.maestro.knowledge.rdf.Graphs;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.NamedPoints;
 import org.maestro.rats.time.Clock;
 import org.maestro.sl.Fact;
@@ -98,6 +99,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
   private final SpokenPoints spoken = new SpokenPoints();
   private final Ageing ageing;
   private volatile World world;
+
+  /** The home as its file has it, without what has joined; guarded by the lock for writing. */
+  private Home asDescribed;
+
   private long serial;
 
   /** A knowledge base in memory. */
@@ -130,14 +135,10 @@ public final class CollectiveKnowledge implements KnowledgeBase {
     this.beginning = new Beginning(clock.instant(), home);
     this.ageing = new Ageing(clock, this::age);
     this.world = World.of(home, measures.apply(home));
+    this.asDescribed = home;
     Graphs graphs = new Graphs(home);
     storage.replace(graphs.vocabularyGraph(), graphs.vocabulary());
-    storage.replace(
-        graphs.homeGraph(),
-        home.individuals().values().stream()
-            .filter(individual -> !home.devices().containsKey(individual.name()))
-            .flatMap(individual -> graphs.individual(individual).stream())
-            .toList());
+    devices.store(graphs, home);
     home.devices().values().forEach(device -> devices.store(graphs, device));
   }
 
@@ -210,6 +211,16 @@ public final class CollectiveKnowledge implements KnowledgeBase {
           Change change = tellOf(device.id(), before);
           noLongerLost(device.id());
           return change;
+        });
+  }
+
+  @Override
+  public void permit(Map<String, Individual> permissions) {
+    guarded(
+        () -> {
+          asDescribed = asDescribed.withPermissions(permissions);
+          devices.store(new Graphs(asDescribed), asDescribed);
+          return changed(world.home().withPermissions(permissions));
         });
   }
 

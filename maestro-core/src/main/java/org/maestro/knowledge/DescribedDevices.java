@@ -110,6 +110,16 @@ final class DescribedDevices {
     return base.with(home, measures.apply(home), base.version() + 1);
   }
 
+  /** Keeps what the home's file says of all but devices. */
+  void store(Graphs graphs, Home home) {
+    storage.replace(
+        graphs.homeGraph(),
+        home.individuals().values().stream()
+            .filter(individual -> !home.devices().containsKey(individual.name()))
+            .flatMap(individual -> graphs.individual(individual).stream())
+            .toList());
+  }
+
   /** Keeps what is said of the agent of a group. */
   void store(Graphs graphs, Group group) {
     storage.replace(graphs.memberGraph(group.id()), graphs.individual(group.individual()));

@@ -140,7 +140,19 @@ final class Deployer {
     jade.kill(group);
   }
 
+  /** It is noted down first: from its first word on it is to be known whom it stands for. */
   private void begin(AgentStart start) {
+    Optional<AgentStart> before = deployment.find(start.agent());
+    deployment.placed(start);
+    try {
+      create(start);
+    } catch (RuntimeException e) {
+      before.ifPresentOrElse(deployment::placed, () -> deployment.ended(start.agent()));
+      throw e;
+    }
+  }
+
+  private void create(AgentStart start) {
     if (isElsewhere(start.container())) {
       elsewhere.add(start.agent());
       heirOf.remove(start.agent());
@@ -153,7 +165,6 @@ final class Deployer {
           start.agent(),
           new GenericAgent(Birth.of(container), surroundings(start.agent()), start));
     }
-    deployment.placed(start);
   }
 
   private Surroundings surroundings(String agent) {

@@ -26,6 +26,7 @@ import org.maestro.agents.lives.AgentLives;
 import org.maestro.agents.pulse.Condition;
 import org.maestro.agents.pulse.Signs;
 import org.maestro.agents.runtime.AgentTime;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.agents.supervision.SupervisorOrders;
 import org.maestro.coordination.api.GivenAnswer;
 import org.maestro.coordination.api.Recovery;
@@ -67,6 +68,7 @@ public final class MaestroPlatform implements AutoCloseable {
   private final CentralAgent central;
   private final DeskAgent desk;
   private final MemberAgents agents;
+  private final Spokesmen spokesmen;
   private final GroupAgents groups;
   private final PlatformTables tables;
   private final SupervisorAgent supervisor;
@@ -89,6 +91,25 @@ public final class MaestroPlatform implements AutoCloseable {
     this.dialogues = new Dialogues(knowledge::home, knowledge::snapshot, clock::instant);
     HeardVoices voices = new HeardVoices(knowledge);
     dialogues.listen(said -> voices.heard(said.person(), said.room()));
+    Surroundings here =
+        new Surroundings(
+            time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
+    main.give(here);
+    this.agents =
+        new MemberAgents(
+            settings,
+            services,
+            main,
+            here,
+            lives,
+            past.recovery(),
+            this::presentMembers,
+            this::orders);
+    this.spokesmen =
+        new DeployedSpokesmen(
+            agents.deployer().deployment(),
+            knowledge::home,
+            user -> settings.guard().filter(guard -> guard.isGuest(user)).isPresent());
     this.central =
         new CentralAgent(
             past.ofCentre(),
@@ -104,33 +125,23 @@ public final class MaestroPlatform implements AutoCloseable {
                     settings.decisionTime(),
                     before,
                     dialogues,
-                    HostedReasoners.found()));
+                    HostedReasoners.found(),
+                    spokesmen));
     this.desk =
         new DeskAgent(
             main.birth(),
             time,
             memory.answers(),
-            room -> knowledge.home().listener(room).map(Group::id));
-    Surroundings here =
-        new Surroundings(
-            time, services.link(), services.describedBy(), Optional.of(mind), stories, past);
-    main.give(here);
-    this.agents =
-        new MemberAgents(
-            settings,
-            services,
-            main,
-            here,
-            lives,
-            past.recovery(),
-            this::presentMembers,
-            this::orders);
+            room -> knowledge.home().listener(room).map(Group::id),
+            spokesmen);
     this.groups =
         new GroupAgents(
             knowledge,
             lives,
             agents,
-            group -> new GroupAgent(main.birth(), time, mind, group, stories, past, dialogues));
+            group ->
+                new GroupAgent(
+                    main.birth(), time, mind, group, stories, past, dialogues, spokesmen));
     this.tables =
         new PlatformTables(
             agents.deployer().deployment(),
@@ -152,7 +163,9 @@ public final class MaestroPlatform implements AutoCloseable {
                 services.describedBy(),
                 knowledge::home,
                 groups,
-                this::reviveCoordinator));
+                this::reviveCoordinator),
+            knowledge::home,
+            spokesmen);
     this.tracker =
         knowledge
             .home()
@@ -209,7 +222,8 @@ public final class MaestroPlatform implements AutoCloseable {
     memory.stories().ifPresent(stories::addListener);
     main.start(
         AgentNames.KNOWLEDGE,
-        new KnowledgeAgent(main.birth(), time, knowledge, services.describedBy(), habitLog()));
+        new KnowledgeAgent(
+            main.birth(), time, knowledge, services.describedBy(), habitLog(), spokesmen));
     main.start(AgentNames.COORDINATOR, central.now());
     main.start(AgentNames.SUPERVISOR, supervisor);
     main.start(AgentNames.DESK, desk);
@@ -229,6 +243,10 @@ public final class MaestroPlatform implements AutoCloseable {
               tables.memberChanged(member);
               agents.memberChanged(member);
             });
+    settings
+        .homeFile()
+        .filter(file -> !time.clock().isStepped())
+        .ifPresent(file -> new PermissionsFile(file, knowledge, time.clock(), lives).watch());
     agents.beginHosts(!past.ofCentre().recovery().equals(Recovery.NOTHING));
     if (settings.gui()) {
       main.showGui();

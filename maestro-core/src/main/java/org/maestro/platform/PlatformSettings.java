@@ -27,6 +27,7 @@ import org.maestro.platform.jade.Sockets;
  * @param guard of a secured site; empty: whoever reaches the port may join and speak as anybody
  * @param heartbeats when containers and agents are suspected and given up
  * @param premises where its process can be reached
+ * @param homeFile whose permissions are read anew when it changes; empty: they stay as they are
  */
 public record PlatformSettings(
     String name,
@@ -40,7 +41,8 @@ public record PlatformSettings(
     ProtocolTimeouts patience,
     Optional<Guard> guard,
     HeartbeatSettings heartbeats,
-    Premises premises) {
+    Premises premises,
+    Optional<Path> homeFile) {
 
   /** Of a platform whose goals end with it, at the site of its own name. */
   public static Builder of(String name) {
@@ -61,6 +63,7 @@ public record PlatformSettings(
     builder.guard = guard;
     builder.heartbeats = heartbeats;
     builder.premises = premises;
+    builder.homeFile = homeFile;
     return builder;
   }
 
@@ -106,6 +109,7 @@ public record PlatformSettings(
     private Optional<Guard> guard = Optional.empty();
     private HeartbeatSettings heartbeats = HeartbeatSettings.standard();
     private Premises premises = Premises.usual();
+    private Optional<Path> homeFile = Optional.empty();
 
     private Builder(String name) {
       this.name = name;
@@ -167,6 +171,11 @@ public record PlatformSettings(
       return this;
     }
 
+    public Builder homeFile(Optional<Path> homeFile) {
+      this.homeFile = homeFile;
+      return this;
+    }
+
     public PlatformSettings build() {
       return new PlatformSettings(
           name,
@@ -180,7 +189,8 @@ public record PlatformSettings(
           patience,
           guard,
           heartbeats,
-          premises);
+          premises,
+          homeFile);
     }
   }
 }

@@ -10,7 +10,9 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.maestro.agents.content.Addition;
+import org.maestro.agents.content.StartWords;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.agents.supervision.Containers;
 import org.maestro.agents.supervision.Handover;
 import org.maestro.agents.supervision.Newcomer;
@@ -38,6 +40,7 @@ final class Supervision implements Containers {
   private final GroupAgents rooms;
   private final MemberAgents agents;
   private final BooleanSupplier reviving;
+  private final Registrations registrations;
 
   /**
    * @param home as it is now, whose words containers that join have to know
@@ -60,6 +63,7 @@ final class Supervision implements Containers {
     this.home = home;
     this.rooms = rooms;
     this.reviving = reviving;
+    this.registrations = new Registrations(settings.guard());
   }
 
   @Override
@@ -148,8 +152,14 @@ final class Supervision implements Containers {
   }
 
   @Override
-  public void startedByHand(AgentStart start) {
+  public void startedByHand(AgentStart start, Caller caller, Optional<StartWords.Shown> shown) {
+    registrations.require(start, caller, shown);
     deployer.startedByHand(start);
+  }
+
+  @Override
+  public void requireHost(Caller caller) {
+    registrations.requireHost(caller);
   }
 
   @Override

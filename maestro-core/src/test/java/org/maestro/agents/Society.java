@@ -25,6 +25,7 @@ import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
@@ -78,7 +79,8 @@ public final class Society implements AutoCloseable {
             Duration.ofMillis(20),
             Past.none(),
             new Dialogues(knowledge::home, knowledge::snapshot, clock::instant),
-            reasoners);
+            reasoners,
+            Spokesmen.BY_NAME);
     start(container, AgentNames.COORDINATOR, cca);
     start(container, "desk", desk);
     behavioursOfCca = cca.behaviourCount();
@@ -124,7 +126,8 @@ public final class Society implements AutoCloseable {
         group,
         story::add,
         Past.none(),
-        new Dialogues(mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant));
+        new Dialogues(mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant),
+        Spokesmen.BY_NAME);
   }
 
   /** Somebody has seen that it is so. */

@@ -1,6 +1,7 @@
 package org.maestro.platform;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
@@ -104,11 +105,23 @@ class KnowledgeAgentTest {
   /** A typing error of a maker, and a thing in the wrong place of a word. */
   @Test
   void whatCannotBeSoIsPassedOverAndWhatStandsBesideItCounts() {
-    guest.ask(
-        "w1",
-        ACLMessage.REQUEST,
+    Guest lamp = new Guest(Birth.of(main), AgentTime.of(clock));
+    JadeRuntime.start(main, "lamp-b1", lamp);
+    String told =
         "(inform (:source lamp-b1) (:facts \"(in zone-b Cup)\" \"(levl lamp-b1)\""
-            + " \"(= (level lamp-b1) 0.5)\" \"(in parcel-7 zone-b)\"))");
+            + " \"(= (level lamp-b1) 0.5)\" \"(in parcel-7 zone-b)\"))";
+    assertThat(guest.ask("w0", ACLMessage.REQUEST, told))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .contains("does not speak for lamp-b1; its own agent does");
+    lamp.ask("w1", ACLMessage.REQUEST, told);
+    await()
+        .until(
+            () -> {
+              clock.run(Duration.ofMillis(100));
+              return !lamp.heard("w1").isEmpty();
+            });
 
     assertThat(knowledge.snapshot().claims(atom("(in zone-b Cup)"))).isEmpty();
     assertThat(knowledge.snapshot().claims(atom("(levl lamp-b1)"))).isEmpty();

@@ -39,11 +39,14 @@ class PrivateFactsTest {
   private CollectiveKnowledge knowledge;
   private BareJade jade;
 
-  private void start(String permissions) throws IOException {
+  private static Home home(String permissions) throws IOException {
     String text = Files.readString(LIVINGROOM).replaceAll("(?m)^.*maestro:private.*$", "");
-    Home home =
-        new HomeLoader()
-            .load(text + ":prefers maestro:private true .\n" + permissions, "livingroom.ttl");
+    return new HomeLoader()
+        .load(text + ":prefers maestro:private true .\n" + permissions, "livingroom.ttl");
+  }
+
+  private void start(String permissions) throws IOException {
+    Home home = home(permissions);
     knowledge = new CollectiveKnowledge(home, clock);
     jade = new BareJade("private", files);
     open.add(jade);
@@ -110,6 +113,25 @@ class PrivateFactsTest {
         .startsWith("REFUSE")
         .contains("prefers is private in this home, and no maestro:Permission lets ")
         .doesNotContain("Opera", "News", "Cartoons");
+  }
+
+  /** A right that is taken away mid-session is gone at the next word (A28). */
+  @Test
+  void whoseRightToReadIsTakenAwayIsToldNothingMore() throws IOException {
+    start(NURSE_READS);
+    Guest nurse = guest("nurse");
+    String question = "(prefers dave-evenings ?show)";
+    nurse.ask("s", ACLMessage.SUBSCRIBE, "(subscribe " + question + ")");
+    assertThat(nurse.awaited("s", 2)).last().asString().contains("(:show Opera)");
+    knowledge.permit(home(NURSE_READS.replace("nurse", "doctor")).permissions());
+    knowledge.state(
+        new Source(Source.Kind.STATED, "somebody"), List.of("(prefers dave-evenings News)"));
+    assertThat(nurse.awaited("s", 3).subList(2, 3))
+        .singleElement()
+        .asString()
+        .startsWith("REFUSE")
+        .doesNotContain("News");
+    assertRefused(nurse.ask("q", ACLMessage.QUERY_REF, "(query-ref " + question + ")"));
   }
 
   @Test
@@ -204,11 +226,16 @@ class PrivateFactsTest {
             question.setContent(content);
             send(question);
           });
+      return awaited(conversation, 1);
+    }
+
+    /** All that was heard in the conversation, as soon as it is so much. */
+    List<String> awaited(String conversation, int atLeast) {
       await()
           .until(
               () -> {
                 clock.run(Duration.ofMillis(100));
-                return !heardIn(conversation).isEmpty();
+                return heardIn(conversation).size() >= atLeast;
               });
       return heardIn(conversation);
     }

@@ -407,7 +407,7 @@ public final class GoalRequests {
       return;
     }
     if (stories.goals().contains(id) || coordinator.hasGoal(id)) {
-      stories.subscribe(message, id, privately.rights(message, words));
+      stories.subscribe(message, id, () -> privately.rights(message, words));
     } else {
       agent.refuse(message, ACLMessage.REFUSE, noSuchGoal(id));
     }

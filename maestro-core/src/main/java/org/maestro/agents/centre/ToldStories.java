@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.coordination.api.Latest;
@@ -33,7 +34,7 @@ public final class ToldStories {
   private static final long MOST_BYTES_OF_EACH = 256 << 10;
   private static final long BYTES_OF_AN_ENTRY = 160;
 
-  private record Subscription(String goalId, ACLMessage request, ReadingRights rights) {}
+  private record Subscription(String goalId, ACLMessage request, Supplier<ReadingRights> rights) {}
 
   /**
    * @param past what was told by who was the central agent before
@@ -81,7 +82,7 @@ public final class ToldStories {
     note(entry);
     subscriptions.stream()
         .filter(s -> s.goalId().equals(entry.goalId()))
-        .filter(s -> s.rights().objection(entry.privateWords()).isEmpty())
+        .filter(s -> s.rights().get().objection(entry.privateWords()).isEmpty())
         .forEach(s -> inform(s.request(), entry));
     if (entry.kind() == StoryEntry.Kind.END) {
       ended.accept(entry.goalId());
@@ -127,9 +128,9 @@ public final class ToldStories {
   }
 
   /**
-   * @param rights of who subscribes
+   * @param rights of who subscribes, as they are at the time
    */
-  void subscribe(ACLMessage message, String id, ReadingRights rights) {
+  void subscribe(ACLMessage message, String id, Supplier<ReadingRights> rights) {
     List<StoryEntry> told = story(id);
     told.forEach(entry -> inform(message, entry));
     if (!isOver(told)) {

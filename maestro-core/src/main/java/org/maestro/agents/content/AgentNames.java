@@ -1,5 +1,7 @@
 package org.maestro.agents.content;
 
+import java.util.Set;
+
 /**
  * Local names of the agents of which a platform has one, and of those that are named after theirs.
  */
@@ -19,9 +21,15 @@ public final class AgentNames {
   /** Pursues what is asked of it, where that is an agent beside the central one. */
   public static final String GOALS = "goals";
 
+  private static final Set<String> CENTRAL = Set.of(COORDINATOR, KNOWLEDGE, SUPERVISOR, DESK);
   private static final String HOST = "host-";
 
   private AgentNames() {}
+
+  /** Whether an agent of that name lives in the main container, and nowhere else. */
+  public static boolean isCentral(String localName) {
+    return CENTRAL.contains(localName);
+  }
 
   /** The agent that offers a host to the platform. */
   public static String ofHost(String host) {

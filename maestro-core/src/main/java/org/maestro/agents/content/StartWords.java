@@ -2,6 +2,7 @@ package org.maestro.agents.content;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.maestro.deployment.AgentStart;
@@ -29,6 +30,38 @@ public final class StartWords {
     }
     arguments.addAll(charges(start.charges()));
     return new Content(OPERATOR, arguments);
+  }
+
+  /**
+   * The name and the password that a person shows for an agent that she starts by hand.
+   *
+   * @param password in clear
+   */
+  public record Shown(String person, String password) {
+    @Override
+    public String toString() {
+      return person;
+    }
+  }
+
+  /** The same, said by an agent that was started by hand and wants to be taken in. */
+  public static Content registration(AgentStart start, Optional<Shown> shown) {
+    List<Content.Argument> arguments = new ArrayList<>(content(start).arguments());
+    shown.ifPresent(
+        its ->
+            arguments.add(
+                Words.named(
+                    "shown",
+                    Words.named("person", Words.text(its.person())),
+                    Words.named("password", Words.text(its.password())))));
+    return new Content(OPERATOR, arguments);
+  }
+
+  /** What a registration shows. */
+  public static Optional<Shown> shown(Words words) {
+    return words
+        .find("shown")
+        .map(its -> new Shown(its.string("person").orElse(""), its.string("password").orElse("")));
   }
 
   public static List<Content.Argument> charges(List<Charge> charges) {

@@ -204,6 +204,11 @@ public final class MemberProxy implements MemberNews.Listener {
     return view.device().filter(device -> !device.pursues().isEmpty()).isPresent();
   }
 
+  /** From now on these are the rights to ask for its features, whatever was told before. */
+  public void permit(Words words) {
+    rights = Rights.read(words);
+  }
+
   /** Why who asks may not ask for the feature. */
   Optional<String> objection(ACLMessage message, Words words, String feature) {
     return rights.objection(message, words, member, feature);

@@ -56,6 +56,7 @@ public record Rights(boolean known, Optional<List<Permission>> permissions) {
                                     texts(one, "caller"),
                                     Set.of(),
                                     texts(one, "permits"),
+                                    Set.of(),
                                     Set.of()))
                         .toList()));
   }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Supplier;
 import org.maestro.knowledge.Question;
 import org.maestro.knowledge.api.Answer;
 import org.maestro.knowledge.api.Snapshot;
@@ -25,6 +26,7 @@ import org.maestro.sl.Truth;
 public final class KnowledgeSubscriptions {
 
   private final BiConsumer<ACLMessage, List<Answer>> inform;
+  private final BiConsumer<ACLMessage, String> end;
   private final List<Subscription> subscriptions = new ArrayList<>();
   private volatile boolean empty = true;
 
@@ -33,11 +35,14 @@ public final class KnowledgeSubscriptions {
     private final ACLMessage request;
     private final Formula formula;
     private final Optional<Duration> within;
-    private final ReadingRights rights;
+    private final Supplier<ReadingRights> rights;
     private Map<Map<String, Term>, Truth> told = Map.of();
 
     Subscription(
-        ACLMessage request, Formula formula, Optional<Duration> within, ReadingRights rights) {
+        ACLMessage request,
+        Formula formula,
+        Optional<Duration> within,
+        Supplier<ReadingRights> rights) {
       this.request = request;
       this.formula = formula;
       this.within = within;
@@ -47,9 +52,12 @@ public final class KnowledgeSubscriptions {
 
   /**
    * @param inform answers a request with all that is so now
+   * @param end tells why a request is answered no more
    */
-  public KnowledgeSubscriptions(BiConsumer<ACLMessage, List<Answer>> inform) {
+  public KnowledgeSubscriptions(
+      BiConsumer<ACLMessage, List<Answer>> inform, BiConsumer<ACLMessage, String> end) {
     this.inform = inform;
+    this.end = end;
   }
 
   /** Any thread may ask. */
@@ -60,13 +68,13 @@ public final class KnowledgeSubscriptions {
   /**
    * Answers at once, and again whenever the answer changes.
    *
-   * @param rights of who asks
+   * @param rights of who asks, as they are at the time: whose are taken away is told nothing more
    */
   public void add(
       ACLMessage request,
       Formula formula,
       Optional<Duration> within,
-      ReadingRights rights,
+      Supplier<ReadingRights> rights,
       Snapshot now) {
     Subscription subscription = new Subscription(request, formula, within, rights);
     subscriptions.add(subscription);
@@ -88,6 +96,13 @@ public final class KnowledgeSubscriptions {
 
   public void changed(Snapshot now) {
     for (Subscription subscription : List.copyOf(subscriptions)) {
+      Optional<String> objection = subscription.rights.get().objection(subscription.formula);
+      if (objection.isPresent()) {
+        subscriptions.remove(subscription);
+        empty = subscriptions.isEmpty();
+        end.accept(subscription.request, objection.get());
+        continue;
+      }
       List<Answer> answers = answers(subscription, now);
       if (!subscription.told.equals(truths(answers))) {
         tell(subscription, answers);
@@ -97,7 +112,8 @@ public final class KnowledgeSubscriptions {
 
   private static List<Answer> answers(Subscription subscription, Snapshot now) {
     Question question =
-        new Question(subscription.within.map(now::notOlderThan).orElse(now), subscription.rights);
+        new Question(
+            subscription.within.map(now::notOlderThan).orElse(now), subscription.rights.get());
     List<Answer> bound = question.answerRef(subscription.formula);
     return bound.isEmpty() ? List.of(question.answerIf(subscription.formula)) : bound;
   }

@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 import org.maestro.agents.HostAgent;
 import org.maestro.agents.content.Addition;
+import org.maestro.agents.content.StartWords;
 import org.maestro.agents.pulse.Pulse;
+import org.maestro.agents.runtime.Caller;
 import org.maestro.deployment.AgentStart;
 import org.maestro.deployment.ContainerStart;
 import org.maestro.ontology.home.Home;
@@ -30,8 +32,11 @@ public interface Containers {
   /** Waits for JADE; returns who was started: all, or none. */
   List<Newcomer> add(Addition addition);
 
-  /** An agent has been started by other means. */
-  void startedByHand(AgentStart start);
+  /** Takes in an agent that was started by other means; checks a password, which takes a while. */
+  void startedByHand(AgentStart start, Caller caller, Optional<StartWords.Shown> shown);
+
+  /** Requires that the caller's process may have agents: that of a guest may not. */
+  void requireHost(Caller caller);
 
   /** Returns whom to ask. */
   AgentStart requireMovable(String agent, String container);

@@ -12,6 +12,7 @@ public final class GoalId {
   public static final String CENTRAL = "G";
 
   private static final Pattern PATH = Pattern.compile("(\\.\\d+)+$");
+  private static final Pattern NUMBER = Pattern.compile("-\\d+$");
 
   private GoalId() {}
 
@@ -25,6 +26,11 @@ public final class GoalId {
   /** The goal that one is pursued for; itself, when it is no part of another. */
   public static String whole(String goalId) {
     return PATH.matcher(goalId).replaceFirst("");
+  }
+
+  /** Whose goal it is, where an agent counts its own: {@code keeper} of {@code keeper-3.1}. */
+  public static String pursuer(String goalId) {
+    return NUMBER.matcher(whole(goalId)).replaceFirst("");
   }
 
   /** The goal of which one is a part, that may be a part itself; empty for a whole one. */

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.NamedPoints;
 
 /**
@@ -24,6 +25,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   @Override
   public Home home() {
     return knowledge.home();
+  }
+
+  @Override
+  public void permit(Map<String, Individual> permissions) {
+    knowledge.permit(permissions);
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.Individual;
 import org.maestro.ontology.home.NamedPoints;
 
 /** The store. Thread-safe; writes are atomic, each yields at most one change. */
@@ -18,6 +19,13 @@ public interface KnowledgeBase extends AutoCloseable {
 
   /** A device joined or sent a new description; it speaks only of itself. */
   void describe(Device device);
+
+  /**
+   * These are the home's permissions from now on, in the place of those before.
+   *
+   * @param permissions by their names
+   */
+  void permit(Map<String, Individual> permissions);
 
   /** The agent of a room, or of another group, is there from now on. */
   void admit(Group group);

@@ -18,6 +18,7 @@ import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
 import org.maestro.rats.security.ContainerAccess;
 import org.maestro.rats.security.SecurityFilesException;
+import org.maestro.rats.security.SitePersons;
 import org.maestro.rats.security.SiteSecurity;
 import org.maestro.rats.security.WatchedFiles;
 
@@ -95,6 +96,20 @@ public final class Guard {
       }
     }
     return access;
+  }
+
+  /** Whether the user may only ask, as the site's files have it now. */
+  public boolean isGuest(String other) {
+    return access().isGuest(other);
+  }
+
+  /**
+   * The persons of the site.
+   *
+   * @throws SecurityFilesException when the files cannot be used
+   */
+  public SitePersons persons() {
+    return site.persons();
   }
 
   /** Ends the connections of those who are containers of the site no more. */

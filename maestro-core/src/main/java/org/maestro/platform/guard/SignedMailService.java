@@ -23,6 +23,7 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.rats.security.SecurityFilesException;
 
@@ -200,10 +201,25 @@ public final class SignedMailService extends BaseService {
     if (!isOwnFailure(message, user.get()) && !holders.isHeldBy(sender, user.get())) {
       return Optional.of("it is signed by " + user.get() + ", where no agent of that name lives");
     }
+    if (AgentNames.isCentral(sender.getLocalName())
+        && !holders.isHeldBy(container.getAMS(), user.get())) {
+      return Optional.of(
+          "it is signed by " + user.get() + ", and only the main container has one of that name");
+    }
     if (!come.come(seal.life(), seal.number())) {
       return Optional.of("it has come before");
     }
+    if (isOrderOfGuest(message, receiver, user.get())) {
+      return Optional.of(user.get() + " is a guest, and guests have JADE itself do nothing");
+    }
     return Optional.empty();
+  }
+
+  /** JADE's own agent makes, moves and ends agents for whoever asks (A23). */
+  private boolean isOrderOfGuest(ACLMessage message, AID receiver, String user) {
+    return receiver.equals(container.getAMS())
+        && message.getPerformative() == ACLMessage.REQUEST
+        && guard.access().isGuest(user);
   }
 
   /** That a message cannot be delivered a container tells its own agents in the AMS's name. */

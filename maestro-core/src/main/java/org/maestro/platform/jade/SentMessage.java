@@ -5,6 +5,7 @@ import jade.lang.acl.ACLMessage;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * A message from one agent to another, as FIPA-ACL has it; to several agents it is several.
@@ -20,6 +21,9 @@ public record SentMessage(
     Optional<String> conversation,
     Optional<String> protocol,
     String content) {
+  /** Of a registration; who looks on is not told it. */
+  private static final Pattern PASSWORD =
+      Pattern.compile("\\(:password \"(?:[^\"\\\\]|\\\\.)*\"\\)");
 
   static SentMessage of(AID sender, ACLMessage message, AID receiver) {
     return new SentMessage(
@@ -28,7 +32,13 @@ public record SentMessage(
         receiver.getName(),
         Optional.ofNullable(message.getConversationId()),
         Optional.ofNullable(message.getProtocol()),
-        Objects.requireNonNullElse(message.getContent(), ""));
+        withoutPassword(Objects.requireNonNullElse(message.getContent(), "")));
+  }
+
+  private static String withoutPassword(String content) {
+    return content.contains(":password")
+        ? PASSWORD.matcher(content).replaceAll("(:password \"...\")")
+        : content;
   }
 
   /** The same with another content. */

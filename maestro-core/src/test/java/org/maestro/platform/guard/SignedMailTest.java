@@ -23,6 +23,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.runtime.Caller;
 import org.maestro.platform.BareJade;
@@ -44,6 +45,8 @@ class SignedMailTest {
   private static Speaker centre;
   private static Speaker rose;
   private static Speaker insider;
+  private static Speaker visitor;
+  private static Speaker impostor;
 
   @BeforeAll
   static void start() throws Exception {
@@ -56,13 +59,16 @@ class SignedMailTest {
         List.of("localhost"),
         List.of("maestro", "container-robots"),
         List.of(),
-        List.of());
+        List.of("tablet"));
     SiteSecurity site = SiteSecurity.open(files);
     robotsAccess = site.container("container-robots");
     jade = new BareJade("signing", directory, Optional.of(Guard.open(site, "maestro")));
     centre = speaker(jade.main(), "centre");
     rose = speaker(jade.join("robots", Optional.of(Guard.open(site, "container-robots"))), "rose");
     insider = speaker(jade.join("unsigned"), "insider");
+    AgentContainer tablet = jade.join("tablet", Optional.of(Guard.open(site, "tablet")));
+    visitor = speaker(tablet, "visitor");
+    impostor = speaker(tablet, AgentNames.SUPERVISOR);
   }
 
   @AfterAll
@@ -133,6 +139,36 @@ class SignedMailTest {
     awaitRefusal(
         "in the name of centre@signing was refused: it is signed by container-robots, where no"
             + " agent of that name lives");
+    assertThat(rose.heard).isEmpty();
+  }
+
+  /** Not even that an agent of theirs ends; what JADE tells they may ask of MAESTRO's agents. */
+  @Test
+  void aGuestHasJadeItselfDoNothing() throws Exception {
+    ACLMessage order = new ACLMessage(ACLMessage.REQUEST);
+    order.addReceiver(visitor.getAMS());
+    order.setLanguage("fipa-sl0");
+    order.setOntology("JADE-Agent-Management");
+    order.setContent(
+        "((action %1$s (kill-agent :agent (agent-identifier :name %2$s))))"
+            .formatted(
+                "(agent-identifier :name " + visitor.getAMS().getName() + ")",
+                rose.getAID().getName()));
+    visitor.say(order);
+    ACLMessage answer = visitor.next();
+    assertThat(answer.getPerformative()).isEqualTo(ACLMessage.FAILURE);
+    awaitRefusal("tablet is a guest, and guests have JADE itself do nothing");
+    rose.say(message(centre, "((still here))"));
+    assertThat(centre.next().getContent()).isEqualTo("((still here))");
+  }
+
+  /** While there is no supervisor its name is free, and a guest has taken it (A23). */
+  @Test
+  void aCentralAgentIsOneOfTheMainContainerAndNobodyElseIsHeardUnderItsName() throws Exception {
+    impostor.say(message(rose, "(perform (:action move) (:container tablet))"));
+    assertThat(impostor.next().getPerformative()).isEqualTo(ACLMessage.FAILURE);
+    awaitRefusal(
+        "it is signed by tablet, and only the main container has one of that name");
     assertThat(rose.heard).isEmpty();
   }
 

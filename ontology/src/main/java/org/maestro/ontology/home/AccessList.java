@@ -5,9 +5,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * All permissions that a home states for callers to ask; what may be read is told by {@link
- * PrivateWords}, and what persons may by {@link PersonalPermission}. Where it states none everybody
- * may ask everything; else what none of them allows is refused. Immutable.
+ * All permissions that a home states for callers to ask for features; what may be read is told by
+ * {@link PrivateWords}, which parts of agents may be used by {@link PartList}, and what persons may
+ * by {@link PersonalPermission}. Where it states none everybody may ask everything; else what none
+ * of them allows is refused. Immutable.
  *
  * @param permissions empty: everything is allowed
  */
@@ -22,7 +23,7 @@ public record AccessList(List<Permission> permissions) {
             .filter(thing -> thing.classes().contains("Permission"))
             .filter(stated -> !PersonalPermission.isOne(stated))
             .map(Permission::of)
-            .filter(permission -> !permission.isOnlyForReading())
+            .filter(permission -> !permission.isOfNoFeature())
             .toList());
   }
 

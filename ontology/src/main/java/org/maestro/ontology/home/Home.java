@@ -37,6 +37,8 @@ public record Home(
     String words,
     Optional<String> file,
     Optional<PersonTracking> tracking) {
+  private static final String PERMISSION = "Permission";
+
   public Home {
     individuals = Collections.unmodifiableMap(new LinkedHashMap<>(new TreeMap<>(individuals)));
     devices = Collections.unmodifiableMap(new TreeMap<>(devices));
@@ -149,6 +151,21 @@ public record Home(
         words,
         file,
         tracking);
+  }
+
+  /** The permissions that it states, by their names. */
+  public Map<String, Individual> permissions() {
+    Map<String, Individual> stated = new TreeMap<>();
+    of(PERMISSION).forEach(one -> stated.put(one.name(), one));
+    return stated;
+  }
+
+  /** The same home with these permissions in the place of its own. */
+  public Home withPermissions(Map<String, Individual> others) {
+    Map<String, Individual> things = new TreeMap<>(individuals);
+    things.keySet().removeAll(permissions().keySet());
+    things.putAll(others);
+    return knownAs(things, wording);
   }
 
   /** The agent that hears what is said in a room, if one does. */

@@ -9,15 +9,20 @@ import org.maestro.sl.Term;
 
 /**
  * An access rule that a home states: its callers, the agents that they may ask, for which features,
- * and the private words that they may read.
+ * the private words that they may read, and the parts of agents that they may use.
  *
  * @param callers names of agents and of users; "*" is everybody
- * @param asks names of devices and of device classes; empty: all devices
+ * @param asks names of devices and of device classes, with parts of agents, too; empty: all
  * @param permits names of feature types; empty: all features
  * @param reads names of private words; empty: none
+ * @param opens names of parts of agents; empty: none
  */
 public record Permission(
-    Set<String> callers, Set<String> asks, Set<String> permits, Set<String> reads) {
+    Set<String> callers,
+    Set<String> asks,
+    Set<String> permits,
+    Set<String> reads,
+    Set<String> opens) {
   /** Everybody, among callers. */
   public static final String ANYBODY = "*";
 
@@ -26,6 +31,7 @@ public record Permission(
     asks = sorted(asks);
     permits = sorted(permits);
     reads = sorted(reads);
+    opens = sorted(opens);
   }
 
   static Permission of(Individual stated) {
@@ -33,12 +39,13 @@ public record Permission(
         names(stated, "caller"),
         names(stated, "asks"),
         names(stated, "permits"),
-        names(stated, "reads"));
+        names(stated, "reads"),
+        names(stated, "opens"));
   }
 
   /** Whether it says nothing of asking for features. */
-  boolean isOnlyForReading() {
-    return !reads.isEmpty() && asks.isEmpty() && permits.isEmpty();
+  boolean isOfNoFeature() {
+    return permits.isEmpty() && (!opens.isEmpty() || !reads.isEmpty() && asks.isEmpty());
   }
 
   boolean isAbout(Device device) {

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.apache.jena.graph.Node;
 import org.apache.jena.graph.NodeFactory;
 import org.maestro.ontology.validation.Maestro;
@@ -14,8 +15,8 @@ import org.maestro.ontology.vocabulary.Literals;
 import org.maestro.ontology.vocabulary.WordHints;
 
 /**
- * Checks that permissions speak of devices, features and private words that there are: a typing
- * error opens no door.
+ * Checks that permissions speak of devices, features, parts and private words that there are: a
+ * typing error opens no door.
  */
 final class PermissionCheck {
   private final SourceGraph graph;
@@ -25,6 +26,8 @@ final class PermissionCheck {
   private final Set<String> permitted = new TreeSet<>();
   private final Set<String> forbidden = new TreeSet<>();
   private final Set<String> readable = new TreeSet<>();
+  private final Set<String> askedForParts = new TreeSet<>();
+  private final Set<String> parts = new TreeSet<>();
   private final PersonalPermissionCheck persons;
 
   PermissionCheck(SourceGraph graph, Home home) {
@@ -44,6 +47,9 @@ final class PermissionCheck {
     forbidden.add(PersonalPermission.ANY_FEATURE);
     this.persons = new PersonalPermissionCheck(graph, home);
     readable.addAll(PrivateWords.of(home).all());
+    askedForParts.addAll(asked);
+    askedForParts.addAll(home.groups().keySet());
+    Stream.of(Part.values()).map(Part::word).forEach(parts::add);
   }
 
   void check(Map<String, Node> nodes) {
@@ -52,7 +58,17 @@ final class PermissionCheck {
         .forEach(
             thing -> {
               Node node = HomeCheck.named(nodes, thing.name());
-              check(node, "asks", asked, "is neither a device of this home nor a class of devices");
+              if (graph.objects(node, Maestro.term("opens")).isEmpty()) {
+                check(
+                    node, "asks", asked, "is neither a device of this home nor a class of devices");
+              } else {
+                check(
+                    node,
+                    "asks",
+                    askedForParts,
+                    "is neither an agent of a group or device of this home nor a class of devices");
+              }
+              check(node, "opens", parts, "is no part of an agent");
               check(node, "permits", permitted, "is no feature that is known here");
               check(node, "forbids", forbidden, "is no feature that is known here");
               check(node, "reads", readable, "is no private word of this home");

@@ -59,8 +59,8 @@ final class PersonalPermissionCheck {
             node,
             "caller",
             "is missing",
-            "write who may ask, such as \"tablet\", or \"*\" for everybody; or maestro:person, where"
-                + " it is about a person");
+            "write who may ask, such as \"tablet\", or \"*\" for everybody; or maestro:person,"
+                + " where it is about a person");
       }
       Stream.of("forbids", WHEN)
           .filter(property -> !graph.objects(node, Maestro.term(property)).isEmpty())
@@ -73,7 +73,7 @@ final class PersonalPermissionCheck {
                       "add maestro:person, or leave it away"));
       return;
     }
-    Stream.of("caller", "reads")
+    Stream.of("caller", "reads", "opens")
         .filter(property -> !graph.objects(node, Maestro.term(property)).isEmpty())
         .forEach(
             property ->

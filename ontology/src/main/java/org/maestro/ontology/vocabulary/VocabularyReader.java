@@ -30,6 +30,7 @@ public final class VocabularyReader {
           "Fluent",
           "Observable",
           "GeometryFunction",
+          "Part",
           "Feature",
           "Action",
           "Task",

@@ -39,6 +39,31 @@ class AccessListTest {
     assertThat(open.knows(Set.of("anyone"))).isTrue();
   }
 
+  /** Who may ask what is known need not be one who tells it (ADE, 3.1; A29). */
+  @Test
+  void aPartThatIsOpenedToSomeIsClosedToOthersAndFeaturesStayAsTheyWere() {
+    Home home =
+        home(
+            "home:p1 a maestro:Permission ; maestro:caller \"nurse\" ; maestro:asks home:rose ;"
+                + " maestro:opens maestro:memory .");
+    PartList parts = PartList.of(home);
+    assertThat(AccessList.of(home).isOpen()).isTrue();
+    assertThat(parts.objection(Set.of("nurse"), "rose", Part.MEMORY)).isEmpty();
+    assertThat(parts.objection(Set.of("thief"), "rose", Part.MEMORY))
+        .contains("no maestro:Permission of the home opens the memory of rose to thief");
+    assertThat(parts.objection(Set.of("thief"), "lamp-a1", Part.MEMORY)).isEmpty();
+    assertThat(parts.objection(Set.of("thief"), "rose", Part.TELLING)).isEmpty();
+  }
+
+  @Test
+  void aPartThatThereIsNotIsAFault() {
+    assertThat(
+            fault(
+                "home:p a maestro:Permission ; maestro:caller \"nurse\" ;"
+                    + " maestro:opens maestro:memroy ."))
+        .contains("memroy", "maestro:memory");
+  }
+
   /**
    * Different rights for each component (ADE, 3.1; A29): all pairs of three callers, devices,
    * features.

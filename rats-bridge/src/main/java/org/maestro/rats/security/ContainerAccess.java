@@ -22,6 +22,7 @@ public final class ContainerAccess {
 
   private final String user;
   private final SortedSet<String> containers;
+  private final SortedSet<String> guests;
   private final X509Certificate authority;
   private final RevocationList revoked;
   private final CertificateAuthority.Identity identity;
@@ -31,6 +32,7 @@ public final class ContainerAccess {
   ContainerAccess(
       String user,
       SortedSet<String> containers,
+      SortedSet<String> guests,
       X509Certificate authority,
       RevocationList revoked,
       CertificateAuthority.Identity identity,
@@ -38,6 +40,7 @@ public final class ContainerAccess {
       String token) {
     this.user = user;
     this.containers = containers;
+    this.guests = guests;
     this.authority = authority;
     this.revoked = revoked;
     this.identity = identity;
@@ -53,6 +56,11 @@ public final class ContainerAccess {
   /** The user whose process it is. */
   public String user() {
     return user;
+  }
+
+  /** Whether the user may only ask, and is not known to the bus. */
+  public boolean isGuest(String other) {
+    return guests.contains(other);
   }
 
   /** Shows the own certificate, and trusts those of the site only. */

@@ -29,6 +29,15 @@ public final class SitePersons {
             "persons", List.of(usersFile, passwordsFile), () -> read(usersFile, passwordsFile));
   }
 
+  /**
+   * The password in a file of a person's own.
+   *
+   * @throws SecurityFilesException when it cannot be read, or others may read it
+   */
+  public static String passwordIn(Path file) {
+    return PrivateFiles.secret(file).strip();
+  }
+
   /** The role of who has that name; empty: there is no such person. */
   public Optional<Role> role(String name) {
     return Optional.ofNullable(known.now().roles().get(name));

@@ -168,6 +168,7 @@ public final class SiteSecurity {
     return new ContainerAccess(
         id,
         users.containers(),
+        users.guests(),
         authority,
         RevocationList.read(directory.resolve(REVOKED), authority),
         identity,

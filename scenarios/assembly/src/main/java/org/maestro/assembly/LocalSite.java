@@ -207,6 +207,7 @@ public final class LocalSite implements AutoCloseable {
                 .dataDirectory(settings.dataDirectory())
                 .guard(settings.security().map(files -> Guard.open(files, CONTROLLER)))
                 .premises(settings.premises())
+                .homeFile(settings.homeFile())
                 .build(),
             new PlatformServices(
                 knowledge,

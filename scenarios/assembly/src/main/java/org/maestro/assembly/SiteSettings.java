@@ -28,6 +28,7 @@ import org.maestro.sim.scene.Scene;
  * @param security the files of a secured site; empty: anybody on the broker is believed
  * @param store where the dataset of the collective knowledge is kept
  * @param premises where the process of the platform can be reached
+ * @param homeFile whose permissions are read anew when it changes; empty: they stay as they are
  */
 public record SiteSettings(
     String name,
@@ -44,7 +45,8 @@ public record SiteSettings(
     PhysicalParameters physics,
     Optional<SiteSecurity> security,
     Store store,
-    Premises premises) {
+    Premises premises,
+    Optional<Path> homeFile) {
 
   /** Of a site without simulated devices, on a bus of its own, that remembers nothing. */
   public static Builder of(String name, Home home) {
@@ -67,6 +69,7 @@ public record SiteSettings(
     builder.security = security;
     builder.store = store;
     builder.premises = premises;
+    builder.homeFile = homeFile;
     return builder;
   }
 
@@ -88,6 +91,7 @@ public record SiteSettings(
     private Optional<SiteSecurity> security = Optional.empty();
     private Store store = Store.IN_MEMORY;
     private Premises premises = Premises.usual();
+    private Optional<Path> homeFile = Optional.empty();
 
     private Builder(String name, Home home) {
       this.name = name;
@@ -163,6 +167,11 @@ public record SiteSettings(
       return this;
     }
 
+    public Builder homeFile(Path homeFile) {
+      this.homeFile = Optional.of(homeFile);
+      return this;
+    }
+
     public SiteSettings build() {
       return new SiteSettings(
           name,
@@ -179,7 +188,8 @@ public record SiteSettings(
           physics,
           security,
           store,
-          premises);
+          premises,
+          homeFile);
     }
   }
 }

@@ -201,6 +201,7 @@ final class RunCommand implements Callable<Integer> {
                 .orElseGet(() -> directory.beginStories(name)))
         .allocation(allocation.objective());
     data.ifPresent(wanted::dataDirectory);
+    simulation.homeFile().ifPresent(wanted::homeFile);
     security.files().ifPresent(wanted::security);
     store.map(Store::parse).ifPresent(wanted::store);
     return wanted.premises(premises()).build();

@@ -60,6 +60,11 @@ final class Shipped {
     return HOMES.contains(nameOrPath) || nameOrPath.endsWith(".ttl");
   }
 
+  /** Whether a shipped home is meant, and no file. */
+  static boolean isShipped(String nameOrPath) {
+    return text("/homes/" + nameOrPath + ".ttl").isPresent();
+  }
+
   static Home home(String nameOrPath) {
     Optional<String> shipped = text("/homes/" + nameOrPath + ".ttl");
     if (shipped.isPresent()) {

@@ -1,5 +1,6 @@
 package org.maestro.launch;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import org.maestro.ontology.home.Home;
 import org.maestro.sim.scene.Scene;
@@ -38,6 +39,11 @@ final class SimulationOptions {
 
   Home home() {
     return Shipped.home(home);
+  }
+
+  /** The file of the home; empty: it is a shipped one. */
+  Optional<Path> homeFile() {
+    return Shipped.isShipped(home) ? Optional.empty() : Optional.of(Path.of(home));
   }
 
   boolean namesScene() {

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import jade.lang.acl.ACLMessage;
 import java.io.ByteArrayInputStream;
 import java.net.URI;
@@ -31,6 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
+import org.maestro.agents.device.ToldRights;
 import org.maestro.agents.references.Wanted;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
@@ -50,6 +54,7 @@ import org.maestro.rats.transport.Transport;
 import org.maestro.scenario.AskedReference;
 import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
+import org.slf4j.LoggerFactory;
 
 /**
  * A secured site as processes of others meet it: who joins, who asks whom for what, and what those
@@ -64,6 +69,8 @@ class SecuredPlatformTest {
 
   @TempDir static Path directory;
   private static Path files;
+  private static Path homeFile;
+  private static final ListAppender<ILoggingEvent> told = new ListAppender<>();
   private static final Queue<String> STORY = new ConcurrentLinkedQueue<>();
   private static LocalSite site;
   private static JavaProcess lights;
@@ -71,24 +78,26 @@ class SecuredPlatformTest {
   @BeforeAll
   static void start() throws Exception {
     files = directory.resolve("site");
-    Home home =
-        new HomeLoader()
-            .load(
-                Files.readString(SHIPPED.resolve("homes/bob.ttl"))
-                    + """
-                    home:familyAsks a maestro:Permission ; maestro:caller "console" .
-                    home:tabletDims a maestro:Permission ; maestro:caller "tablet" ;
-                      maestro:asks :Lamp .
-                    :prefers maestro:private true .
-                    home:Dave a :Person ; rdfs:label "Dave"@en .
-                    home:Opera a :Show ; rdfs:label "the opera"@en .
-                    home:dave-evenings a :Preference ; rdfs:label "what Dave likes"@en ;
-                      :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
-                    home:cam-a maestro:offers :streamPictures , :stopStreaming .
-                    home:consoleIsTold a maestro:Permission ; maestro:caller "console" ;
-                      maestro:reads :prefers .
-                    """,
-                "bob.ttl");
+    homeFile = directory.resolve("bob.ttl");
+    Files.writeString(
+        homeFile,
+        Files.readString(SHIPPED.resolve("homes/bob.ttl"))
+            + """
+            home:familyAsks a maestro:Permission ; maestro:caller "console" .
+            home:tabletDims a maestro:Permission ; maestro:caller "tablet" ;
+              maestro:asks :Lamp .
+            :prefers maestro:private true .
+            home:Dave a :Person ; rdfs:label "Dave"@en .
+            home:Opera a :Show ; rdfs:label "the opera"@en .
+            home:dave-evenings a :Preference ; rdfs:label "what Dave likes"@en ;
+              :preferenceOf home:Dave ; :preferenceAbout "TV show" ; :prefers home:Opera .
+            home:cam-a maestro:offers :streamPictures , :stopStreaming .
+            home:consoleIsTold a maestro:Permission ; maestro:caller "console" ;
+              maestro:reads :prefers .
+            """);
+    Home home = new HomeLoader().load(homeFile);
+    told.start();
+    ((Logger) LoggerFactory.getLogger(ToldRights.class)).addAppender(told);
     SecureSite.make(
         files,
         NAME,
@@ -105,6 +114,7 @@ class SecuredPlatformTest {
                         Files.readAllBytes(SHIPPED.resolve("scenes/bob-dark.ttl"))),
                     home))
             .security(SiteSecurity.open(files))
+            .homeFile(homeFile)
             .build();
     site = LocalSite.paced(settings, 10);
     site.platform().onStory(entry -> STORY.add(entry.text()));
@@ -129,6 +139,7 @@ class SecuredPlatformTest {
     if (site != null) {
       site.close();
     }
+    ((Logger) LoggerFactory.getLogger(ToldRights.class)).detachAppender(told);
   }
 
   private static String address() {
@@ -209,6 +220,69 @@ class SecuredPlatformTest {
       ACLMessage refusal = askWhatDaveLikes(technician);
       assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
       assertThat(refusal.getContent()).doesNotContain("Opera");
+    }
+  }
+
+  /** The agent of the lamp lives in another process, and stays as it is (ADE, 3.1; A28). */
+  @Test
+  void aRightThatIsTakenAwayFromAGuestIsGoneAtHisNextCall() throws Exception {
+    String before = Files.readString(homeFile);
+    try (JoinedContainer tablet = join("tablet")) {
+      assertThat(ask(tablet, "lamp-a1", "adjustLight").getContent())
+          .doesNotContain("maestro:Permission");
+      rewrite(before.replace("maestro:caller \"tablet\"", "maestro:caller \"nobody\""));
+      ACLMessage refusal = ask(tablet, "lamp-a1", "adjustLight");
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent())
+          .contains("no maestro:Permission of the home lets tablet", "ask lamp-a1");
+      rewrite(before);
+      assertThat(ask(tablet, "lamp-a1", "adjustLight").getContent())
+          .doesNotContain("maestro:Permission");
+    }
+  }
+
+  /** Until all agents have said that they go by it. */
+  private static void rewrite(String text) throws Exception {
+    int before = List.copyOf(told.list).size();
+    Files.writeString(homeFile, text);
+    await()
+        .atMost(SOON)
+        .until(
+            () ->
+                List.copyOf(told.list).stream()
+                    .skip(before)
+                    .anyMatch(line -> line.getMessage().startsWith("All agents go by")));
+  }
+
+  /** Nobody but its own agent says of a member what it is at, and no guest (ADE, 3.1; A23). */
+  @Test
+  void aGuestSpeaksForNoMemberAndGetsNoAgents() throws Exception {
+    try (JoinedContainer tablet = join("tablet")) {
+      for (String agent : List.of(AgentNames.COORDINATOR, AgentNames.KNOWLEDGE)) {
+        ACLMessage refusal =
+            tablet.ask(
+                ACLMessage.REQUEST,
+                agent,
+                Words.content(
+                    "inform",
+                    Words.named("member", Words.name("rose")),
+                    Words.named("phase", Words.name("lost")),
+                    Words.named("reason", Words.text("stolen"))));
+        assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+        assertThat(refusal.getContent()).contains("is an agent of a guest");
+      }
+      assertThat(site.platform().presentMembers()).contains("rose");
+      ACLMessage refusal =
+          tablet.ask(
+              ACLMessage.REQUEST,
+              AgentNames.SUPERVISOR,
+              Words.content(
+                  "perform",
+                  Words.named("action", Words.name("joined")),
+                  Words.named("container", Words.name("tablet")),
+                  Words.named("topics", Words.name("robots"))));
+      assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
+      assertThat(refusal.getContent()).contains("is of a guest");
     }
   }
 
