@@ -47,6 +47,7 @@ public final class Maestro implements Runnable {
           Map.entry("device", DeviceCommand.class),
           Map.entry("zigbee", ZigbeeCommand.class),
           Map.entry("player", PlayerCommand.class),
+          Map.entry("ros", RosCommand.class),
           Map.entry("goal", GoalCommand.class),
           Map.entry("run-script", RunScriptCommand.class),
           Map.entry("scripts", ScriptsCommand.class),
