@@ -4,7 +4,7 @@ package org.maestro.device.tasks;
 public final class DeviceSetupException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  DeviceSetupException(String message) {
+  public DeviceSetupException(String message) {
     super(message);
   }
 }

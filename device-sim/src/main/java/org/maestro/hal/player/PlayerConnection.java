@@ -14,6 +14,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.maestro.hal.Twist;
+import org.maestro.hal.wheels.Stance;
+import org.maestro.ontology.floor.Point2;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -59,16 +61,7 @@ public final class PlayerConnection implements AutoCloseable {
    * @param odometry where the base is by its wheels, since this connection stands
    * @param connection which one, counted; odometry may begin anew with each
    */
-  record Told(Odometry odometry, boolean stalled, int connection, long atNanos) {}
-
-  /**
-   * A pose by the turns of the wheels.
-   *
-   * @param x metres
-   * @param y metres
-   * @param heading radians
-   */
-  record Odometry(double x, double y, double heading) {}
+  record Told(Stance odometry, boolean stalled, int connection, long atNanos) {}
 
   private PlayerConnection(InetSocketAddress address, int index) {
     this.address = address;
@@ -180,7 +173,8 @@ public final class PlayerConnection implements AutoCloseable {
   }
 
   private static Told read(DataInputStream body, int number) throws IOException {
-    Odometry odometry = new Odometry(body.readDouble(), body.readDouble(), body.readDouble());
+    Point2 point = new Point2(body.readDouble(), body.readDouble());
+    Stance odometry = new Stance(point, body.readDouble());
     body.readDouble();
     body.readDouble();
     body.readDouble();

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.maestro.fixtures.PlayerServer;
 import org.maestro.hal.Completion;
 import org.maestro.hal.wheels.DifferentialWheels;
+import org.maestro.hal.wheels.Stance;
 import org.maestro.hal.wheels.WheeledBase;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.time.PacedClock;
@@ -32,7 +33,7 @@ class PlayerBaseTest {
     clock.close();
   }
 
-  private WheeledBase base(PlayerConnection connection, PlayerBase.Place start) {
+  private WheeledBase base(PlayerConnection connection, Stance start) {
     DifferentialWheels wheels = new DifferentialWheels(0.1, 0.2);
     WheeledBase.Pace pace = this::after;
     PlayerBase player = new PlayerBase(connection, wheels, start, ahead -> true, pace);
@@ -77,7 +78,7 @@ class PlayerBaseTest {
     try (PlayerServer server = new PlayerServer(100, -50, 1);
         PlayerConnection connection = PlayerConnection.open(server.address(), 0)) {
       awaitTold(connection);
-      WheeledBase base = base(connection, new PlayerBase.Place(new Point2(3, 2), Math.PI / 2));
+      WheeledBase base = base(connection, new Stance(new Point2(3, 2), Math.PI / 2));
 
       assertThat(ended(done -> base.drive(List.of(new Point2(3, 3)), done))).isEmpty();
       assertThat(base.position().distance(new Point2(3, 3))).isLessThan(0.15);
@@ -93,7 +94,7 @@ class PlayerBaseTest {
     try (PlayerServer server = new PlayerServer(0, 0, 0);
         PlayerConnection connection = PlayerConnection.open(server.address(), 3)) {
       await(() -> connection.fault().orElse("").contains("no base of number 3"));
-      WheeledBase base = base(connection, new PlayerBase.Place(new Point2(0, 0), 0));
+      WheeledBase base = base(connection, new Stance(new Point2(0, 0), 0));
       assertThat(ended(done -> base.drive(List.of(new Point2(1, 0)), done)).orElseThrow())
           .contains("no base of number 3");
     }
@@ -104,7 +105,7 @@ class PlayerBaseTest {
     try (PlayerServer server = new PlayerServer(0, 0, 0);
         PlayerConnection connection = PlayerConnection.open(server.address(), 0)) {
       awaitTold(connection);
-      WheeledBase base = base(connection, new PlayerBase.Place(new Point2(0, 0), 0));
+      WheeledBase base = base(connection, new Stance(new Point2(0, 0), 0));
       server.stall();
       assertThat(ended(done -> base.drive(List.of(new Point2(5, 0)), done)))
           .hasValue("The robot's motors are stalled.");
@@ -127,7 +128,7 @@ class PlayerBaseTest {
     int port = first.address().getPort();
     try (PlayerConnection connection = PlayerConnection.open(first.address(), 0)) {
       awaitTold(connection);
-      WheeledBase base = base(connection, new PlayerBase.Place(new Point2(1, 1), 0));
+      WheeledBase base = base(connection, new Stance(new Point2(1, 1), 0));
       assertThat(ended(done -> base.drive(List.of(new Point2(1.5, 1)), done))).isEmpty();
       Point2 place = base.position();
       first.close();

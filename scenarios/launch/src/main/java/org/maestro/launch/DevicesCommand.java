@@ -1,6 +1,5 @@
 package org.maestro.launch;
 
-import java.net.URI;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -26,41 +25,20 @@ final class DevicesCommand implements Callable<Integer> {
 
   @Mixin private SimulationOptions simulation;
 
-  @Mixin private SecurityOptions security;
+  @Mixin private SiteOptions site;
 
   @Option(names = "--only", split = ",", paramLabel = "ID", description = "Only these devices.")
   private List<String> only = List.of();
-
-  @Option(
-      names = "--broker",
-      paramLabel = "URI",
-      required = true,
-      description = "The MQTT 5 broker, tcp://HOST:PORT.")
-  private String broker;
-
-  @Option(
-      names = "--site",
-      paramLabel = "NAME",
-      defaultValue = "maestro",
-      description = "The platform's name; default ${DEFAULT-VALUE}.")
-  private String site;
 
   @Override
   public Integer call() throws InterruptedException {
     PacedClock clock = new PacedClock(simulation.speed());
     Home loaded = simulation.home();
     Set<String> wanted = new LinkedHashSet<>(only);
-    for (String id : wanted) {
-      if (!loaded.devices().containsKey(id)) {
-        throw CommandException.badInput(
-            "The home has no device %s; it has %s."
-                .formatted(id, String.join(", ", loaded.devices().keySet())));
-      }
-    }
+    wanted.forEach(id -> HomeDevice.named(id, loaded));
     OpenFiles.requireFor(wanted.isEmpty() ? loaded.devices().size() : wanted.size());
-    URI uri = Endpoint.broker(broker);
-    SiteBus bus = new SiteBus(uri, site, security.files());
-    bus.requireLetIn((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());
+    SiteBus bus =
+        site.bus((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());
     SimulatedHome.Setup setup =
         new SimulatedHome.Setup(
                 loaded,
@@ -68,13 +46,14 @@ final class DevicesCommand implements Callable<Integer> {
                 clock,
                 simulation.seed(),
                 bus.transports(),
-                site,
+                site.name(),
                 new DescriptionWriter(loaded)::write)
             .withPolicy(bus.policy());
     SimulatedHome simulated = SimulatedHome.start(wanted.isEmpty() ? setup : setup.only(wanted));
     UntilStopped.run(
         spec.commandLine().getOut(),
-        "Simulated devices on %s: %s.".formatted(uri, String.join(", ", simulated.devices())),
+        "Simulated devices on %s: %s."
+            .formatted(site.broker(), String.join(", ", simulated.devices())),
         simulated::close);
     return ExitCode.DONE;
   }

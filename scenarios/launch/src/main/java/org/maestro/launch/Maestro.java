@@ -48,6 +48,7 @@ public final class Maestro implements Runnable {
           Map.entry("zigbee", ZigbeeCommand.class),
           Map.entry("player", PlayerCommand.class),
           Map.entry("stream", StreamCommand.class),
+          Map.entry("ros", RosCommand.class),
           Map.entry("goal", GoalCommand.class),
           Map.entry("run-script", RunScriptCommand.class),
           Map.entry("scripts", ScriptsCommand.class),

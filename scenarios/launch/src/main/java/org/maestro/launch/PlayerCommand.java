@@ -5,9 +5,8 @@ import java.util.concurrent.Callable;
 import org.maestro.assembly.PlayerRobot;
 import org.maestro.assembly.SiteBus;
 import org.maestro.device.tasks.DeviceSetupException;
-import org.maestro.hal.player.PlayerBase;
 import org.maestro.hal.player.PlayerConnection;
-import org.maestro.ontology.floor.Point2;
+import org.maestro.hal.wheels.Stance;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.PacedClock;
@@ -22,7 +21,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "player",
     description =
-        "Present the base of a Player server as a robot of a home, until Ctrl-C. The robot knows the home's walls and not what stands on the floor.")
+        "Present the base of a Player server as a robot of a home, until Ctrl-C. The robot knows"
+            + " the home's walls and not what stands on the floor.")
 final class PlayerCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
@@ -59,72 +59,27 @@ final class PlayerCommand implements Callable<Integer> {
       description = "Where the robot stands and looks now, in the home's frame.")
   private String at;
 
-  @Mixin private SecurityOptions security;
-
-  @Option(
-      names = "--broker",
-      paramLabel = "URI",
-      required = true,
-      description = "The site's MQTT 5 broker, tcp://HOST:PORT.")
-  private String broker;
-
-  @Option(
-      names = "--site",
-      paramLabel = "NAME",
-      defaultValue = "maestro",
-      description = "The platform's name; default ${DEFAULT-VALUE}.")
-  private String site;
+  @Mixin private SiteOptions site;
 
   @Override
   public Integer call() throws InterruptedException {
     Home loaded = Shipped.home(home);
-    Device device = device(loaded);
-    PlayerBase.Place place = place();
+    Device device = HomeDevice.named(robot, loaded);
+    Stance place = HomeDevice.standing(at);
     Endpoint endpoint = Endpoint.parse(server);
-    SiteBus bus = new SiteBus(Endpoint.broker(broker), site, security.files());
-    bus.requireLetIn(robot);
+    SiteBus bus = site.bus(robot);
     try (PacedClock clock = new PacedClock(1);
         PlayerConnection connection =
             PlayerConnection.open(new InetSocketAddress(endpoint.host(), endpoint.port()), base);
         PlayerRobot member =
-            PlayerRobot.start(loaded, device, connection, place, site, bus, clock)) {
+            PlayerRobot.start(loaded, device, connection, place, site.name(), bus, clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
-          "The robot behind %s is %s on %s.".formatted(server, robot, broker),
+          "The robot behind %s is %s on %s.".formatted(server, robot, site.broker()),
           member::close);
     } catch (DeviceSetupException unfit) {
       throw CommandException.badInput(unfit);
     }
     return ExitCode.DONE;
-  }
-
-  private Device device(Home loaded) {
-    Device device = loaded.devices().get(robot);
-    if (device == null) {
-      throw CommandException.badInput(
-          "The home has no device %s; it has %s."
-              .formatted(robot, String.join(", ", loaded.devices().keySet())));
-    }
-    return device;
-  }
-
-  private PlayerBase.Place place() {
-    String[] numbers = at.strip().split("\\s+");
-    try {
-      if (numbers.length == 3) {
-        return new PlayerBase.Place(
-            new Point2(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1])),
-            Math.toRadians(Double.parseDouble(numbers[2])));
-      }
-    } catch (NumberFormatException e) {
-      throw notAPlace();
-    }
-    throw notAPlace();
-  }
-
-  private CommandException notAPlace() {
-    return CommandException.badInput(
-        "\"%s\" is no place to stand; write metres and degrees, such as --at \"3 2 90\"."
-            .formatted(at));
   }
 }

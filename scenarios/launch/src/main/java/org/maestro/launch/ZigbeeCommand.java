@@ -20,14 +20,15 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "zigbee",
     description =
-        "Present the lamps of a zigbee2mqtt gateway as lamps of a home, until Ctrl-C. A lamp stands for the device of its friendly name, unless --lamp says for which.")
+        "Present the lamps of a zigbee2mqtt gateway as lamps of a home, until Ctrl-C. A lamp stands"
+            + " for the device of its friendly name, unless --lamp says for which.")
 final class ZigbeeCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
   private String home;
 
-  @Mixin private SecurityOptions security;
+  @Mixin private SiteOptions site;
 
   @Option(
       names = "--gateway",
@@ -49,38 +50,23 @@ final class ZigbeeCommand implements Callable<Integer> {
       description = "The lamp of this friendly name is that device of the home; may be repeated.")
   private Map<String, String> lamps = new LinkedHashMap<>();
 
-  @Option(
-      names = "--broker",
-      paramLabel = "URI",
-      required = true,
-      description = "The site's MQTT 5 broker, tcp://HOST:PORT; it may be the same.")
-  private String broker;
-
-  @Option(
-      names = "--site",
-      paramLabel = "NAME",
-      defaultValue = "maestro",
-      description = "The platform's name; default ${DEFAULT-VALUE}.")
-  private String site;
-
   @Override
   public Integer call() throws InterruptedException {
     HomeLamps role = role();
     URI zigbee = Endpoint.broker(gateway);
-    SiteBus bus = new SiteBus(Endpoint.broker(broker), site, security.files());
-    role.ids().stream().findFirst().ifPresent(bus::requireLetIn);
+    SiteBus bus = site.bus(role.ids().get(0));
     try (PacedClock clock = new PacedClock(1);
         ZigbeeBridge bridge =
             ZigbeeBridge.start(
                 base,
-                new PahoTransport(zigbee, site + "-zigbee"),
-                new ZigbeeBridge.Site(site, bus.transports(), bus.policy()),
+                new PahoTransport(zigbee, site.name() + "-zigbee"),
+                new ZigbeeBridge.Site(site.name(), bus.transports(), bus.policy()),
                 role,
                 clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "Lamps of %s that may be %s join %s."
-              .formatted(zigbee, String.join(", ", role.ids()), broker),
+              .formatted(zigbee, String.join(", ", role.ids()), site.broker()),
           bridge::close);
     }
     return ExitCode.DONE;

@@ -40,21 +40,43 @@ class CommandLineTest {
         "run bob --name B! | 2 | is no name for a platform",
         "run bob --broker tcp://127.0.0.1:1 --broker-port 1 | 2 | leave one away",
         "run bob --broker-port 70000 | 2 | --broker-port is between 0 and 65535",
-        "run bob --mtp 7778 --security site | 2 | A secured site hears only whom its own processes vouch for",
-        "run bob --console 70000 | 2 | --console takes a port between 0 and 65535, HOST:PORT, or off; not \"70000\"",
-        "run bob --console on | 2 | --console takes a port between 0 and 65535, HOST:PORT, or off; not \"on\"",
+        "run bob --mtp 7778 --security site | 2 | A secured site hears only whom its own processes"
+            + " vouch for",
+        "run bob --console 70000 | 2 | --console takes a port between 0 and 65535, HOST:PORT, or"
+            + " off; not \"70000\"",
+        "run bob --console on | 2 | --console takes a port between 0 and 65535, HOST:PORT, or off;"
+            + " not \"on\"",
         "run bob --console 0.0.0.0:0 | 2 | An open site serves its console on this machine alone",
         "run bob --scene nowhere.ttl | 2 | There is no scene file",
         "run bob --broker localhost | 2 | is no broker",
         "run bob --gui --name tested | 3 | There is no display for the JADE GUI",
         "devices bob --only rose,tim --broker tcp://127.0.0.1:1 | 2 | no device tim",
         "devices bob --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
-        "zigbee bob --gateway tcp://127.0.0.1:1 --broker tcp://127.0.0.1:1 | 3 | No MQTT broker answers",
-        "player exploration --robot rover --server x:1 --at 1 --broker tcp://x:1 | 2 | is no place to stand",
+        "zigbee bob --gateway tcp://127.0.0.1:1 --broker tcp://127.0.0.1:1 | 3 | No MQTT broker"
+            + " answers",
+        "player exploration --robot rover --server x:1 --at 1 --broker tcp://x:1 | 2 | is no place"
+            + " to stand",
         "player exploration --robot rex --server x:1 --at 1 --broker tcp://x:1 | 2 | no device rex",
-        "zigbee bob --lamp porch=lamp-9 --gateway tcp://x:1 --broker tcp://x:1 | 2 | no lamp lamp-9",
+        "ros exploration --server x:1 --robot rover --at 1 --broker tcp://x:1 | 2 | is no place to"
+            + " stand",
+        "ros exploration --server x:1 --robot rover --broker tcp://x:1 | 2 | Say where rover"
+            + " stands",
+        "ros exploration --server x:1 --broker tcp://x:1 | 2 | Name what stands behind the server",
+        "ros bob --server x:1 --camera camera-1=odom --broker tcp://x:1 | 2 | no device camera-1",
+        "ros bob --server x:1 --camera cam-a=odom --broker tcp://x:1 | 2 | \"odom\" is no topic",
+        "ros bob --server x:1 --camera cam-a=/seen --broker tcp://x:1 | 2 | is no rosbridge server;"
+            + " write ws://HOST:PORT",
+        "ros bob --server ws://x:1 --ros 3 --camera cam-a=/seen --broker tcp://x:1 | 2 | --ros is 1"
+            + " or 2, not 3",
+        "ros bob --server ws://x:1 --camera cam-a=/seen --pictures cam-b=/image --broker tcp://x:1"
+            + " | 2 | --pictures names cam-b",
+        "ros bob --server ws://x:1 --camera cam-a=/seen --sensor cam-a=/lux --broker tcp://x:1 | 2"
+            + " | cam-a is named twice",
+        "zigbee bob --lamp porch=lamp-9 --gateway tcp://x:1 --broker tcp://x:1 | 2 | no lamp"
+            + " lamp-9",
         "device test tcp://127.0.0.1:1 kettle-1 | 3 | No MQTT broker answers",
-        "device test tcp://127.0.0.1:1 kettle-1 --call brew=tea | 2 | --call takes a feature and its parameters as a JSON object",
+        "device test tcp://127.0.0.1:1 kettle-1 --call brew=tea | 2 | --call takes a feature and"
+            + " its parameters as a JSON object",
         "device | 2 | Say what to do: device test URI ID",
         "goal --main nowhere x | 2 | is no address",
         "container --main 127.0.0.1:1 --name lights | 3 | No platform answers at 127.0.0.1:1",
