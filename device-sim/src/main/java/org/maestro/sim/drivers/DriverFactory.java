@@ -135,10 +135,7 @@ public final class DriverFactory {
       case "trusting-camera" ->
           ceilingCamera(device, actuator, parameters.camera().trusting(), seed);
       case "light-sensor" ->
-          Drivers.none()
-              .with(
-                  IlluminationSensor.class,
-                  new SimulatedSensor(actuator, parameters.sensor(), place(device)));
+          Drivers.none().with(IlluminationSensor.class, fixedSensor(device, actuator));
       case "tsl2561" ->
           Drivers.none()
               .with(
@@ -202,16 +199,10 @@ public final class DriverFactory {
                       () -> pages.show(device.id()),
                       actuator::after,
                       () -> actuator.tell(WorldEvent.Kind.FACED)));
-      case "mobile-robot-with-camera" ->
-          robot(device, actuator, Undercarriage::gliding)
-              .with(
-                  Camera.class,
-                  camera(
-                      device,
-                      actuator,
-                      parameters.camera(),
-                      Eye.onBoard(actuator, parameters.turn(), number(device, "viewAngle")),
-                      seed));
+      case "mobile-robot-with-camera" -> seeingRobot(device, actuator, seed);
+      case "mobile-robot-with-sensors" ->
+          seeingRobot(device, actuator, seed)
+              .with(IlluminationSensor.class, sensorOnBoard(device, actuator));
       default ->
           throw new SimulationException(
               "The driver "
@@ -222,7 +213,8 @@ public final class DriverFactory {
                   + " light-sensor, tsl2561, presence-sensor, recognising-camera, phone-receiver,"
                   + " door, appliance, stocked-appliance, thermostat, thermometer, simulated-ear,"
                   + " loudspeaker, clock, shutter,"
-                  + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-fingers,"
+                  + " mobile-robot, mobile-robot-with-camera, mobile-robot-with-sensors,"
+                  + " mobile-robot-with-fingers,"
                   + " mecanum-robot, differential-robot, exploring-robot, signal-field, face,"
                   + " face-page.");
     };
@@ -430,6 +422,23 @@ public final class DriverFactory {
     MobileBase moving = chassis.on(undercarriage, actuator);
     return (moving instanceof Steering front ? fitted.with(Steering.class, front) : fitted)
         .with(MobileBase.class, moving);
+  }
+
+  private Drivers seeingRobot(Device device, Actuator actuator, long seed) {
+    Eye eye = Eye.onBoard(actuator, parameters.turn(), number(device, "viewAngle"));
+    return robot(device, actuator, Undercarriage::gliding)
+        .with(Camera.class, camera(device, actuator, parameters.camera(), eye, seed));
+  }
+
+  private SimulatedSensor fixedSensor(Device device, Actuator actuator) {
+    Position place = place(device);
+    return new SimulatedSensor(actuator, parameters.sensor(), () -> place);
+  }
+
+  /** At its foot: light is meant on the floor. */
+  private SimulatedSensor sensorOnBoard(Device device, Actuator actuator) {
+    return new SimulatedSensor(
+        actuator, parameters.sensor(), () -> world.position(device.id()).orElseThrow());
   }
 
   private Drivers recognition(

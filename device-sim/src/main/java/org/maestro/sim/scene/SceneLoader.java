@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -65,7 +66,19 @@ public final class SceneLoader {
    *     in words that no scene knows
    */
   public static Scene load(String name, InputStream turtle, Home home) {
-    SceneText text = new SceneText(name, text(name, turtle), home);
+    return load(name, text(name, turtle), home, List.of());
+  }
+
+  /**
+   * Reads what a scene of several homes says of one of them: what it says of things that the others
+   * alone have is left out.
+   *
+   * @param name for messages, such as the file's name
+   * @throws SimulationException when it is no Turtle, or speaks of what none of the homes has or in
+   *     words that no scene knows
+   */
+  public static Scene load(String name, String turtle, Home home, Collection<Home> others) {
+    SceneText text = new SceneText(name, turtle, home, others);
     Scene scene = new SceneLoader(text).read(name);
     if (!text.faults().isEmpty()) {
       Fault first = text.faults().get(0);

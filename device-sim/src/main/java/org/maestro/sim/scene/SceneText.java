@@ -1,6 +1,7 @@
 package org.maestro.sim.scene;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +29,7 @@ final class SceneText {
 
   private final String name;
   private final Home home;
+  private final Collection<Home> others;
   private final SourceGraph graph = new SourceGraph();
   private final Map<String, Map<String, String>> words = new TreeMap<>();
   private final Map<String, List<String>> states = new TreeMap<>();
@@ -39,8 +41,17 @@ final class SceneText {
    * @param name how faults call the text
    */
   SceneText(String name, String turtle, Home home) {
+    this(name, turtle, home, List.of());
+  }
+
+  /**
+   * @param others homes of which the same text speaks: what is said of things that they alone have
+   *     is left out
+   */
+  SceneText(String name, String turtle, Home home, Collection<Home> others) {
     this.name = name;
     this.home = home;
+    this.others = List.copyOf(others);
     new SourceReader(graph, name, home.iri()).readTurtle(turtle);
     faults.addAll(graph.faults());
     for (Node subject : graph.subjects()) {
@@ -119,14 +130,15 @@ final class SceneText {
 
   private Optional<String> thing(Node subject, int line) {
     String iri = subject.isURI() ? subject.getURI() : subject.toString();
-    if (iri.equals(home.iri())) {
+    if (iri.equals(home.iri()) || others.stream().anyMatch(other -> iri.equals(other.iri()))) {
       return Optional.of(HOME);
     }
     String local = iri.substring(Math.max(iri.lastIndexOf('#'), iri.lastIndexOf('/')) + 1);
     if (home.individuals().containsKey(local)) {
       return Optional.of(local);
     }
-    if (strangers.add(local)) {
+    boolean isElsewhere = others.stream().anyMatch(other -> other.individuals().containsKey(local));
+    if (!isElsewhere && strangers.add(local)) {
       fault(
           line,
           "speaks of %s, which the home does not have; %s"

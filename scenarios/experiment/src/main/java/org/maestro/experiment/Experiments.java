@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.maestro.experiment.setting.Physics;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.SettingException;
 import org.maestro.experiment.setting.Settings;
@@ -20,7 +19,8 @@ public final class Experiments {
           new OverExposure(),
           new JoinLeave(),
           new BrokenCup(),
-          new Exploration());
+          new Exploration(),
+          new SetUps(SetUps::shipped));
 
   private Experiments() {}
 
@@ -30,6 +30,16 @@ public final class Experiments {
 
   public static Optional<Experiment> named(String name) {
     return ALL.stream().filter(experiment -> experiment.name().equals(name)).findFirst();
+  }
+
+  /** The one that compares set-ups, with these in the place of the shipped ones. */
+  public static Experiment comparing(Comparison comparison) {
+    return new SetUps(() -> comparison);
+  }
+
+  /** Whether it can compare others than the shipped set-ups. */
+  public static boolean compares(Experiment experiment) {
+    return experiment instanceof SetUps;
   }
 
   /**
@@ -71,16 +81,14 @@ public final class Experiments {
     return ALL.stream()
         .flatMap(any -> any.settings().stream())
         .filter(setting -> setting.name().equals(name))
-        .findFirst()
-        .or(() -> Physics.isNumber(name) ? Optional.of(Physics.setting(name)) : Optional.empty());
+        .findFirst();
   }
 
   private static String whereItActs(String name) {
-    List<String> names =
-        ALL.stream().filter(any -> offers(any, name)).map(Experiment::name).toList();
-    return names.isEmpty()
-        ? "none of the experiments"
-        : names.stream().collect(Collectors.joining(", "));
+    return ALL.stream()
+        .filter(any -> offers(any, name))
+        .map(Experiment::name)
+        .collect(Collectors.joining(", "));
   }
 
   private static boolean offers(Experiment experiment, String name) {

@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
@@ -20,19 +21,43 @@ import org.maestro.experiment.page.Page;
  *
  * @param tables raw data, by file name without ending
  * @param results its main figures
+ * @param summary what people are told in place of the results, where one table says more
  */
 public record Findings(
     String experiment,
     List<Result> results,
     Map<String, Table> tables,
     List<Figure> figures,
-    Page page) {
+    Page page,
+    Optional<Summary> summary) {
   private static final String PAGE = "index.html";
 
   public Findings {
     results = List.copyOf(results);
     tables = Collections.unmodifiableMap(new LinkedHashMap<>(tables));
     figures = List.copyOf(figures);
+  }
+
+  /** Of which the results are all that is to be told. */
+  Findings(
+      String experiment,
+      List<Result> results,
+      Map<String, Table> tables,
+      List<Figure> figures,
+      Page page) {
+    this(experiment, results, tables, figures, page, Optional.empty());
+  }
+
+  /** The same, summed up. */
+  Findings summed(Summary told) {
+    return new Findings(experiment, results, tables, figures, page, Optional.of(told));
+  }
+
+  /** One table, and what is said of it in sentences. */
+  public record Summary(Table table, List<String> sentences) {
+    public Summary {
+      sentences = List.copyOf(sentences);
+    }
   }
 
   /** A figure that was measured; NaN where there was nothing to measure. */
@@ -91,6 +116,7 @@ public record Findings(
         node.put("unit", result.unit());
       }
     }
+    summary.ifPresent(told -> told.sentences().forEach(document.putArray("sentences")::add));
     return document.toString();
   }
 }

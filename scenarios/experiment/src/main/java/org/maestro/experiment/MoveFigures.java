@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.maestro.experiment.drawing.Bars;
 import org.maestro.experiment.drawing.Figure;
@@ -35,8 +36,8 @@ final class MoveFigures {
               paced));
     }
     double greatest = Math.max(greatest(MoveObject.FIRST, runs), greatest(MoveObject.SECOND, runs));
-    heat("11", MoveObject.FIRST, runs, greatest, figures);
-    heat("12", MoveObject.SECOND, runs, greatest, figures);
+    heat("heat", "", "11", MoveObject.FIRST, runs, greatest).ifPresent(figures::add);
+    heat("heat", "", "12", MoveObject.SECOND, runs, greatest).ifPresent(figures::add);
     runs.forEach(run -> figures.addAll(run.pictures()));
     return figures;
   }
@@ -74,21 +75,36 @@ final class MoveFigures {
     return MoveObject.of(job, runs).stream().flatMap(run -> run.trail().places().stream()).toList();
   }
 
-  private static double greatest(MoveRun.Job job, List<MoveRun> runs) {
+  /** The longest that the robot was in one place; seconds. */
+  static double greatest(MoveRun.Job job, List<MoveRun> runs) {
     return Heat.greatest(Laboratory.WIDTH, Laboratory.DEPTH, places(job, runs), STEP_SECONDS);
   }
 
-  private static void heat(
-      String ofPaper, MoveRun.Job job, List<MoveRun> runs, double greatest, List<Figure> figures) {
+  /**
+   * Where the robot was.
+   *
+   * @param name with which the figure's begins
+   * @param lead with which its caption begins
+   * @param ofPaper the paper's figure with which it is to be compared
+   * @param greatest seconds of the brightest colour
+   * @return empty when there was no such run
+   */
+  static Optional<Figure> heat(
+      String name,
+      String lead,
+      String ofPaper,
+      MoveRun.Job job,
+      List<MoveRun> runs,
+      double greatest) {
     List<MoveRun> half = MoveObject.of(job, runs);
     if (half.isEmpty()) {
-      return;
+      return Optional.empty();
     }
-    figures.add(
+    return Optional.of(
         Figure.of(
-            "heat-" + words(job).replace(' ', '-'),
-            "Where the robot was during %s %s, all added up (compare figure %s). Rings: where it and the two objects were put at first, about."
-                .formatted(counted(half), words(job), ofPaper),
+            name + "-" + words(job).replace(' ', '-'),
+            "%sWhere the robot was during %s %s, all added up (compare figure %s). Rings: where it and the two objects were put at first, about."
+                .formatted(lead, counted(half), words(job), ofPaper),
             Heat.draw(
                 "Where the robot was, %s, %s".formatted(words(job), counted(half)),
                 Laboratory.WIDTH,

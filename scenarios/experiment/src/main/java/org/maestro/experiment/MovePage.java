@@ -76,7 +76,7 @@ final class MovePage {
     return rows;
   }
 
-  private static String seconds(Spread spread) {
+  static String seconds(Spread spread) {
     return spread.count() == 0
         ? "none was reached"
         : String.format(

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.running.Ending;
 import org.maestro.experiment.running.Trail;
@@ -32,6 +33,7 @@ import org.maestro.sim.world.World;
  * @param brightestLux the most light upon one of the things at the beginning
  * @param apartMetres between the two in the end
  * @param moved what was carried somewhere, in the simulated world
+ * @param aims where the robot headed to grasp something or to put it down, in order
  * @param pictures of what happened; mostly none
  */
 record MoveRun(
@@ -47,6 +49,7 @@ record MoveRun(
     double apartMetres,
     Trail trail,
     List<String> moved,
+    List<Aim> aims,
     List<Figure> pictures)
     implements GoalRun {
   private static final Duration PATIENCE = Duration.ofMinutes(10);
@@ -117,6 +120,7 @@ record MoveRun(
       }
       Map<String, Position> before = places(world);
       Duration begun = site.clock().now();
+      Supplier<List<Aim>> aims = Aim.watched(site, job);
       Ending ending = site.pursue(job.goal(), PATIENCE);
       double seconds = ending.seconds(site.clock().now());
       Trail trail =
@@ -145,6 +149,7 @@ record MoveRun(
               .filter(then -> then.getValue().distance(place(world, then.getKey())) > MOVED_METRES)
               .map(Map.Entry::getKey)
               .toList(),
+          aims.get(),
           pictures);
     }
   }
@@ -182,6 +187,17 @@ record MoveRun(
     } catch (IOException e) {
       throw new UncheckedIOException("No temporary file for a picture can be written.", e);
     }
+  }
+
+  /** Whether the robot grasped where another thing lay, or carried another one off. */
+  boolean tookTheWrongThing() {
+    return moved.stream().anyMatch(thing -> !thing.equals(job.carried()))
+        || aims.stream().anyMatch(aim -> aim.grasping() && aim.isOccupied());
+  }
+
+  /** Whether it drove to a place that another thing occupies than the one it meant. */
+  boolean droveToAnOccupiedPlace() {
+    return aims.stream().anyMatch(Aim::isOccupied);
   }
 
   double ratio() {

@@ -5,9 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.maestro.experiment.drawing.Figure;
 import org.maestro.experiment.drawing.Ink;
 import org.maestro.experiment.drawing.Stacks;
+import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.measuring.Table;
 import org.maestro.experiment.page.Page;
 import org.maestro.experiment.setting.Physics;
@@ -50,9 +52,17 @@ final class OverExposure implements Experiment {
     }
 
     long tookTheWrongThing() {
-      return runs.stream()
-          .filter(run -> run.moved().stream().anyMatch(thing -> !thing.equals(run.job().carried())))
-          .count();
+      return runs.stream().filter(MoveRun::tookTheWrongThing).count();
+    }
+
+    SecondHalf secondHalf(List<Series> all) {
+      return SecondHalf.of(
+          condition.label(),
+          runs,
+          all.stream()
+              .filter(other -> other.condition().shutters())
+              .flatMap(other -> other.runs().stream())
+              .toList());
     }
   }
 
@@ -144,6 +154,7 @@ final class OverExposure implements Experiment {
                 all.stream()
                     .map(series -> new Stacks.Stack(series.condition().label(), series.counts()))
                     .toList())));
+    figures.addAll(heat(all));
     for (Series series : all) {
       for (MoveRun run : series.runs()) {
         run.pictures()
@@ -176,8 +187,40 @@ final class OverExposure implements Experiment {
               series.condition().label() + ": a wrong thing was carried",
               series.tookTheWrongThing(),
               "runs"));
+      results.add(
+          new Findings.Result(
+              series.condition().label() + ": time of a run that was reached, mean",
+              GoalRun.times(series.runs()).mean(),
+              "s"));
+      results.add(
+          new Findings.Result(
+              series.condition().label() + ": the same, standard deviation",
+              GoalRun.times(series.runs()).deviation(),
+              "s"));
+      results.addAll(series.secondHalf(all).results());
     }
     return results;
+  }
+
+  /** Where the robot was in the second half, as the paper's figure 12 shows it. */
+  private static List<Figure> heat(List<Series> all) {
+    List<Figure> figures = new ArrayList<>();
+    double greatest =
+        all.stream()
+            .mapToDouble(series -> MoveFigures.greatest(MoveObject.SECOND, series.runs()))
+            .max()
+            .orElse(0);
+    for (Series series : all) {
+      MoveFigures.heat(
+              series.condition().key() + "-heat",
+              "Condition \"%s\": ".formatted(series.condition().label()),
+              "12",
+              MoveObject.SECOND,
+              series.runs(),
+              greatest)
+          .ifPresent(figures::add);
+    }
+    return figures;
   }
 
   private static Table table(List<Series> all) {
@@ -195,7 +238,10 @@ final class OverExposure implements Experiment {
             "solar_hours",
             "brightest_object_lux",
             "false_claim",
-            "carried");
+            "carried",
+            "occupied_place",
+            "stray_m",
+            "headed_for");
     for (Series series : all) {
       for (MoveRun run : series.runs()) {
         table.add(
@@ -211,7 +257,10 @@ final class OverExposure implements Experiment {
             run.solarHours(),
             run.brightestLux(),
             run.falseClaim(),
-            String.join(" ", run.moved()));
+            String.join(" ", run.moved()),
+            run.droveToAnOccupiedPlace(),
+            series.secondHalf(all).strayMetres(run),
+            run.aims().stream().map(Aim::text).collect(Collectors.joining("; ")));
       }
     }
     return table;
@@ -233,13 +282,19 @@ final class OverExposure implements Experiment {
                             series.condition().key().equals("paper")
                                 ? "2 failures among 20 runs, read from figure 10"
                                 : "not built",
-                            "%s reached; %d claim what is not so; in %d a wrong thing was carried"
+                            "%s reached%s; %d claim what is not so; in %d the wrong thing was taken"
                                 .formatted(
                                     GoalRun.reached(series.runs()).text(),
+                                    inSeconds(series),
                                     series.counts().get(2),
                                     series.tookTheWrongThing()),
                             remark(series.condition())))
                 .toList());
+    page.heading("The second half, red to green (compare figures 10 and 12)")
+        .text(
+            "Whether the robot heads for a place that another thing occupies is read from the simulated world when it grasps, or puts something down. It strays where it drives more than half a metre farther than 0.5 m from every place at which the run of the same seed with shutters was.")
+        .table(
+            SecondHalf.COLUMNS, all.stream().map(series -> series.secondHalf(all).row()).toList());
     page.heading("Figures");
     figures.forEach(page::figure);
     page.heading("Runs that failed")
@@ -269,8 +324,13 @@ final class OverExposure implements Experiment {
         .list(
             List.of(
                 "How often it happens is a matter of weather and windows: half of the sky is clouded here, and the sun stands before the windows for the whole session, so that it happens far more often than twice in twenty runs. Nothing was set to get the paper's count; --set world.clouds and world.sun.start change it.",
-                "The paper's robot headed for an occupied position. Here, too, what is taken for the goal's thing stands where another stands; whether that shows as a drive to an occupied place or as a wrong thing carried depends on which of the two is over-lit. The stories tell it run by run."));
+                "The paper's robot headed for an occupied position. Here, too, what is taken for the goal's thing stands where another stands; whether that shows as a drive to an occupied place or as a wrong thing carried depends on which of the two is over-lit. runs.csv tells for each run where the robot headed and what stood there."));
     return page.settings(request.settings());
+  }
+
+  private static String inSeconds(Series series) {
+    Spread times = GoalRun.times(series.runs());
+    return times.count() == 0 ? "" : " in " + MovePage.seconds(times);
   }
 
   private static String remark(Condition condition) {

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Collectors;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -33,6 +34,11 @@ final class Shipped {
         name,
         new ByteArrayInputStream(text("/scenes/" + name + ".ttl").getBytes(StandardCharsets.UTF_8)),
         home);
+  }
+
+  /** A scene of several homes, as far as it speaks of one of them. */
+  static Scene scene(String name, Home home, List<Home> others) {
+    return SceneLoader.load(name, text("/scenes/" + name + ".ttl"), home, others);
   }
 
   private static String text(String resource) {

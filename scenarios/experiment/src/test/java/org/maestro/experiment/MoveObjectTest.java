@@ -40,7 +40,10 @@ class MoveObjectTest {
     assertThat(findings.results())
         .extracting(Findings.Result::name)
         .contains("time of a run that was reached, mean");
-    assertThat(findings.page().html()).contains("0.8 m/s, which is the youBot's data sheet");
+    assertThat(findings.page().html())
+        .contains("0.8 m/s, which is the youBot's data sheet")
+        .as("mean and deviation")
+        .containsPattern("<td>time of a run</td><td>[^<]*</td><td>\\d+\\.\\d s ± \\d+\\.\\d s ");
     assertThat(findings.tables().get("runs").columns())
         .containsExactly(
             "run", "seed", "goal", "success", "duration_s", "lower_bound_s", "replans", "failure");

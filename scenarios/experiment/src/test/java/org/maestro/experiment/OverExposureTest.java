@@ -26,6 +26,22 @@ class OverExposureTest {
         .extracting(row -> row.get(8) + " " + row.get(3) + " " + row.get(11))
         .containsExactly("paper false true", "noticing false false", "shutters true false");
     assertThat(findings.tables().get("runs").rows())
+        .as("drove to an occupied place, metres astray, and where it headed last")
+        .extracting(
+            row -> row.get(13), row -> row.get(14), row -> row.get(15).replaceAll(".*s: ", ""))
+        .satisfiesExactly(
+            paper ->
+                assertThat(paper.toList())
+                    .startsWith("true")
+                    .endsWith("puts down beside RedObject1, and there is RedObject2"),
+            noticing -> assertThat(noticing.toList()).containsExactly("false", "0.000", ""),
+            shutters ->
+                assertThat(shutters.toList())
+                    .containsExactly(
+                        "false", "0.000", "puts down beside RedObject1, and there is RedObject1"));
+    assertThat(findings.page().html())
+        .contains("The second half, red to green (compare figures 10 and 12)");
+    assertThat(findings.tables().get("runs").rows())
         .allMatch(row -> row.get(3).equals("true") == row.get(7).isEmpty());
   }
 

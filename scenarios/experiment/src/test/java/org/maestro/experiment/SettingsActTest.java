@@ -72,10 +72,9 @@ class SettingsActTest {
     assertThat(notes("illumination", "world.facade.noise"))
         .containsExactly(
             "world.facade.noise changes nothing in illumination; it acts in move-object,"
-                + " over-exposure.");
+                + " over-exposure, setups.");
     assertThat(notes("join-leave", "world.turn.height"))
-        .containsExactly(
-            "world.turn.height changes nothing in join-leave; it acts in none of the experiments.");
+        .containsExactly("world.turn.height changes nothing in join-leave; it acts in setups.");
     assertThat(notes("move-object", "world.facade.noise")).isEmpty();
   }
 

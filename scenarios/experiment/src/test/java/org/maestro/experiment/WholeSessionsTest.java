@@ -26,6 +26,9 @@ class WholeSessionsTest {
     assertThat(value(findings, "claims that were not so")).isZero();
     assertThat(value(findings, "time over its physical lower bound, mean")).isBetween(1.0, 1.1);
     List<List<String>> rows = findings.tables().get("runs").rows();
+    assertThat(findings.page().html())
+        .as("mean and deviation in seconds")
+        .containsPattern("<td>time of a run</td><td>[^<]*</td><td>\\d+\\.\\d s ± \\d+\\.\\d s ");
     assertThat(rows.subList(0, 10)).allMatch(row -> row.get(2).equals(MoveObject.FIRST.goal()));
     assertThat(rows.subList(10, 20)).allMatch(row -> row.get(2).equals(MoveObject.SECOND.goal()));
   }

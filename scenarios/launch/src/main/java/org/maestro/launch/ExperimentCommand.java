@@ -16,6 +16,7 @@ import org.maestro.experiment.Experiments;
 import org.maestro.experiment.Findings;
 import org.maestro.experiment.Request;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -72,6 +73,8 @@ final class ExperimentCommand implements Callable<Integer> {
       description = "Also repeat 20 runs on the paced clock, over the real broker (move-object).")
   private boolean paced;
 
+  @Mixin private SetUpOptions setUps = new SetUpOptions();
+
   @Option(names = "--json", description = "Print one JSON document.")
   private boolean json;
 
@@ -84,11 +87,13 @@ final class ExperimentCommand implements Callable<Integer> {
       return ExitCode.DONE;
     }
     Experiment experiment =
-        Experiments.named(name.get())
-            .orElseThrow(
-                () ->
-                    CommandException.badInput(
-                        "There is no experiment %s; there are %s.".formatted(name.get(), names())));
+        setUps.of(
+            Experiments.named(name.get())
+                .orElseThrow(
+                    () ->
+                        CommandException.badInput(
+                            "There is no experiment %s; there are %s."
+                                .formatted(name.get(), names()))));
     affect.ifPresent(value -> given.put("affect", value));
     Experiments.Chosen chosen = Experiments.settings(experiment, given);
     chosen.notes().forEach(spec.commandLine().getErr()::println);
@@ -140,10 +145,21 @@ final class ExperimentCommand implements Callable<Integer> {
     if (json) {
       out.println(findings.json(target, course));
     } else {
-      findings.results().forEach(result -> out.println(result.line()));
+      tell(findings, out);
       out.println("The page with figures and raw data beside it: " + page.toAbsolutePath());
     }
     out.flush();
+  }
+
+  private static void tell(Findings findings, PrintWriter out) {
+    findings
+        .summary()
+        .ifPresentOrElse(
+            told -> {
+              new Table(told.table().columns(), told.table().rows()).print(out);
+              told.sentences().forEach(out::println);
+            },
+            () -> findings.results().forEach(result -> out.println(result.line())));
   }
 
   /** Runs take long: that their data cannot be written is said before them. */

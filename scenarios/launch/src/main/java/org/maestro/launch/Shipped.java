@@ -1,6 +1,5 @@
 package org.maestro.launch;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -81,10 +80,15 @@ final class Shipped {
   }
 
   static Scene scene(String nameOrPath, Home home) {
-    Optional<String> shipped = text("/scenes/" + nameOrPath + ".ttl");
-    String text = shipped.orElseGet(() -> read(file(nameOrPath, "scene", SCENES)));
-    return SceneLoader.load(
-        nameOrPath, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), home);
+    return scene(nameOrPath, home, List.of());
+  }
+
+  /** A scene of several homes, as far as it speaks of one of them. */
+  static Scene scene(String nameOrPath, Home home, List<Home> all) {
+    String text =
+        text("/scenes/" + nameOrPath + ".ttl")
+            .orElseGet(() -> read(file(nameOrPath, "scene", SCENES)));
+    return SceneLoader.load(nameOrPath, text, home, all);
   }
 
   /** What is to be said of a scene. */

@@ -41,6 +41,32 @@ public record Trail(Duration step, List<Point2> places) {
         from.point().y() + share * (to.point().y() - from.point().y()));
   }
 
+  /**
+   * Metres of it that lie farther away than that from every place of another.
+   *
+   * @param stride every so many of the samples is looked at
+   */
+  public double strayFrom(Trail other, double metres, int stride) {
+    double stray = 0;
+    for (int i = stride; i < places.size(); i += stride) {
+      Point2 place = places.get(i);
+      double driven = places.get(i - stride).distance(place);
+      if (driven > 0 && !other.passes(place, metres, stride)) {
+        stray += driven;
+      }
+    }
+    return stray;
+  }
+
+  private boolean passes(Point2 place, double metres, int stride) {
+    for (int i = 0; i < places.size(); i += stride) {
+      if (places.get(i).distance(place) <= metres) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Metres driven. */
   public double length() {
     double length = 0;

@@ -3,6 +3,7 @@ package org.maestro.experiment.running;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
@@ -10,12 +11,16 @@ import org.maestro.agents.content.GoalReport;
 import org.maestro.assembly.LocalSite;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.rats.member.MemberProfile;
 import org.maestro.rats.time.Clock;
 import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
+import org.maestro.sl.Substitution;
+import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** The platform of a trial. To be closed. For one thread. */
 public final class TrialSite implements AutoCloseable {
@@ -85,6 +90,23 @@ public final class TrialSite implements AutoCloseable {
     Underway underway = begin(goal);
     runUntil(underway::hasEnded, patience);
     return underway.ending();
+  }
+
+  /**
+   * Whether it is so in the simulated world, whatever the platform says; unknown of what the world
+   * cannot tell, such as whether a script was carried out.
+   *
+   * @param binding values of its free variables; something is looked for that fits the others
+   */
+  public Truth truth(String goal, Map<String, Term> binding) {
+    Formula bound = new Substitution(binding).apply(parsed(goal));
+    return isScript(bound)
+        ? Truth.UNKNOWN
+        : new TrueFacts(NamedPoints.of(bound).in(site.home()), site.simulated()).of(bound);
+  }
+
+  private boolean isScript(Formula goal) {
+    return goal instanceof Formula.Atom atom && site.home().scripts().containsKey(atom.predicate());
   }
 
   /** Lets simulated time pass until the condition holds; says whether it does. */

@@ -19,10 +19,11 @@ public final class Physics {
       PhysicalSettings.of(PhysicalParameters.standard());
 
   /**
-   * Of hardware that no experiment's home has: wheels of their own and cameras on robots, driven
-   * doors, lamps behind switches, sensors of persons, charging stations, thermometers and the
-   * rooms' warmth, ears and faces. And the shades of white, of which light and detection do not
-   * depend and for which no goal of an experiment asks. What exploration alone has it names itself.
+   * Of hardware that no home of the papers' experiments has: wheels of their own and cameras on
+   * robots, driven doors, lamps behind switches, sensors of persons, charging stations, thermometers
+   * and the rooms' warmth, ears and faces. And the shades of white, of which light and detection do
+   * not depend and for which no goal of an experiment asks. What exploration alone has it names
+   * itself.
    */
   private static final List<String> ABSENT =
       List.of(
@@ -61,9 +62,9 @@ public final class Physics {
         .toList();
   }
 
-  /** Whether a number of the physics is called so, whether it acts in an experiment or not. */
-  public static boolean isNumber(String name) {
-    return USUAL.containsKey(name);
+  /** All, of which each acts where a home has that hardware. */
+  public static List<Setting> all() {
+    return USUAL.keySet().stream().map(Physics::setting).toList();
   }
 
   /** By its name. */

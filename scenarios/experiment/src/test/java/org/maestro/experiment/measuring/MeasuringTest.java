@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -47,6 +48,31 @@ class MeasuringTest {
     assertThat(Interval.ofMean(Spread.of(3)).least()).isNaN();
     assertThat(three.overlaps(Interval.ofMean(spread))).isTrue();
     assertThat(new Interval(1, 2).overlaps(new Interval(3, 4))).isFalse();
+  }
+
+  /** The example with which Newcombe (1998) compares his methods. */
+  @Test
+  void twoSharesDifferByNewcombesInterval() {
+    Difference difference = Difference.ofShares(new Share(48, 80), new Share(56, 70));
+
+    assertThat(difference.value()).isCloseTo(0.2, within(1e-9));
+    assertThat(difference.interval().least()).isCloseTo(0.0524, within(1e-4));
+    assertThat(difference.interval().greatest()).isCloseTo(0.3339, within(1e-4));
+    assertThat(difference.isShown()).isTrue();
+    assertThat(difference.text(100, 0)).isEqualTo("+20 (+5 to +33)");
+    assertThat(Difference.ofShares(new Share(0, 0), new Share(1, 1)).isShown()).isFalse();
+  }
+
+  @Test
+  void whatBelongsTogetherInPairsDiffersByStudentsInterval() {
+    Difference difference = Difference.ofPairs(List.of(1.0, 2.0, 3.0), List.of(3.0, 6.0, 9.0));
+
+    assertThat(difference.value()).isEqualTo(4);
+    assertThat(difference.interval()).isEqualTo(Interval.ofMean(Spread.of(2, 4, 6)));
+    assertThat(difference.isShown()).as("4 +- 5").isFalse();
+    assertThat(Difference.ofPairs(List.of(1.0), List.of(2.0)).isShown()).as("one pair").isFalse();
+    assertThat(Difference.ofPairs(List.of(1.0), List.of(2.0)).text(1, 1)).isEqualTo("+1.0");
+    assertThat(Difference.ofPairs(List.of(), List.of()).text(1, 1)).isEmpty();
   }
 
   @Test
