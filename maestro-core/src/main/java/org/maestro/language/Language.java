@@ -1,21 +1,16 @@
 package org.maestro.language;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.RuleIndex;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
-import org.maestro.language.grammar.GrammarReader;
+import org.maestro.language.grammar.GrammarFaultException;
 import org.maestro.language.grammar.Rule;
 import org.maestro.language.hearing.HeardWords;
 import org.maestro.language.lexicon.ConstructionRules;
@@ -37,9 +32,6 @@ import org.maestro.sl.Formula;
  */
 public final class Language {
   private static final String USUAL = "en";
-  private static final String ENDING = ".grammar";
-  private static final String REPORTS = ".reports";
-  private static final Pattern TAG = Pattern.compile("[a-z]{2,3}(-[A-Za-z]{2,4})?");
 
   private final Home home;
   private final Grammar own;
@@ -68,17 +60,30 @@ public final class Language {
   }
 
   /**
-   * A shipped language.
+   * A language that the home brings, or a shipped one.
    *
    * @param tag such as {@code en}
    */
   public static Language of(Home home, String tag) {
-    Grammar grammar = GrammarReader.read(shipped(tag, ENDING), tag + ENDING);
-    return of(
-        home,
-        isThere(tag + REPORTS)
-            ? grammar.withReports(GrammarReader.read(shipped(tag, REPORTS), tag + REPORTS))
-            : grammar);
+    return of(home, Grammars.of(home, tag));
+  }
+
+  /**
+   * A language by the text of its grammar, which may be built on a shipped one.
+   *
+   * @param file how faults call it
+   */
+  public static Language written(Home home, String text, String file) {
+    return of(home, Grammars.read(text, file));
+  }
+
+  /**
+   * Reads the grammars that the home brings.
+   *
+   * @throws GrammarFaultException when a line of one cannot be read, or something is missing
+   */
+  public static void check(Home home) {
+    Grammars.check(home);
   }
 
   /** A language by its grammar. */
@@ -100,32 +105,18 @@ public final class Language {
 
   /**
    * The tag of the language that somebody speaks: his own, that of the home, or the usual one; only
-   * shipped ones are spoken.
+   * those are spoken that the home brings, or that are shipped.
    */
   public static String spoken(Home home, Optional<String> person) {
-    return home.wording().languageOf(person.orElse("")).filter(Language::isShipped).orElse(USUAL);
+    return home.wording()
+        .languageOf(person.orElse(""))
+        .filter(tag -> Grammars.has(home, tag))
+        .orElse(USUAL);
   }
 
-  /** Whether the language of that tag comes with the platform. */
-  public static boolean isShipped(String tag) {
-    return TAG.matcher(tag).matches() && isThere(tag + ENDING);
-  }
-
-  private static boolean isThere(String file) {
-    return Language.class.getResource(file) != null;
-  }
-
-  private static String shipped(String tag, String ending) {
-    if (!isShipped(tag)) {
-      throw new IllegalArgumentException(
-          "There is no grammar for the language %s; name one that is shipped, such as de, or a file such as nl.grammar."
-              .formatted(tag));
-    }
-    try (InputStream stream = Language.class.getResourceAsStream(tag + ending)) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException("The grammar of " + tag + " cannot be read.", e);
-    }
+  /** Whether somebody can be understood at home in the language of that tag. */
+  public static boolean isUnderstood(Home home, String tag) {
+    return Grammars.has(home, tag);
   }
 
   /** Listens to one utterance. */

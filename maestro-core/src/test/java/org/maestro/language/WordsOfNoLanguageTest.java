@@ -161,6 +161,9 @@ class WordsOfNoLanguageTest {
           "half",
           "tohalf",
           "timepm",
+          // What a grammar has from another one.
+          "like",
+          "phrases",
           // Rules of reports, and what stands in their places.
           "report",
           "reports",

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -68,6 +69,14 @@ public record Grammar(
   /** The words of a list; none when there is no such list. */
   public Set<List<String>> list(String name) {
     return lists.getOrDefault(name, Set.of());
+  }
+
+  /** The first of the other grammar's phrases, by their names, that this one has not. */
+  public Optional<String> firstMissing(Grammar other) {
+    return other.phrases.keySet().stream()
+        .filter(name -> !phrases.containsKey(name))
+        .sorted()
+        .findFirst();
   }
 
   /** A phrase as it is said. */

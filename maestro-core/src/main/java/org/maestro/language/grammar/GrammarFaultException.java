@@ -6,7 +6,7 @@ package org.maestro.language.grammar;
 public final class GrammarFaultException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  GrammarFaultException(String file, int line, String problem, String cure) {
+  public GrammarFaultException(String file, int line, String problem, String cure) {
     super("%s:%d: %s; %s.".formatted(file, line, problem, cure));
   }
 }

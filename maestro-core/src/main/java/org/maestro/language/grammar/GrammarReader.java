@@ -7,9 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
@@ -21,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * Reads a grammar's file, line by line. A rule is {@code Category = item item -> (form label)},
  * where an item is a word, {@code one/other}, a Category, {@code label:Category}, and may end in
  * {@code ?} when it need not be said; {@code !2} at the end is a penalty. Other lines begin with a
- * keyword.
+ * keyword. A grammar may be built on another one, or have its phrases from it.
  */
 public final class GrammarReader {
   private static final Pattern RULE =
@@ -46,11 +48,14 @@ public final class GrammarReader {
   private final Map<String, String> phrases = new HashMap<>();
   private final Map<String, String> spellings = new HashMap<>();
   private final List<ReportRule> reports = new ArrayList<>();
+  private final Function<String, Optional<String>> others;
+  private Optional<String> phrasesLike = Optional.empty();
   private String language = "";
   private int line;
 
-  private GrammarReader(String file) {
+  private GrammarReader(String file, Function<String, Optional<String>> others) {
     this.file = file;
+    this.others = others;
   }
 
   /**
@@ -60,28 +65,78 @@ public final class GrammarReader {
    * @throws GrammarFaultException when a line cannot be read
    */
   public static Grammar read(String text, String file) {
-    GrammarReader reader = new GrammarReader(file);
+    return read(text, file, tag -> Optional.empty());
+  }
+
+  /**
+   * The grammar of a text that may be built on others.
+   *
+   * @param file how faults call it
+   * @param others texts of grammars by their language's tag
+   * @throws GrammarFaultException when a line cannot be read
+   */
+  public static Grammar read(String text, String file, Function<String, Optional<String>> others) {
+    GrammarReader reader = new GrammarReader(file, others);
+    reader.takeAll(text);
+    reader
+        .phrasesLike
+        .map(tag -> read(reader.other(tag), tag))
+        .ifPresent(other -> other.phrases().forEach(reader.phrases::putIfAbsent));
+    return reader.grammar();
+  }
+
+  private void takeAll(String text) {
     for (String written : text.split("\n", -1)) {
-      reader.line++;
-      String content = written.replaceFirst("(^|\\s)#\\s.*$", "").strip();
-      if (!content.isEmpty()) {
-        reader.take(content);
-      }
+      line++;
+      takeLine(written);
     }
-    if (reader.language.isEmpty()) {
-      throw reader.fault("names no language", "write a line such as language en");
+  }
+
+  private void takeLine(String written) {
+    String content = written.replaceFirst("(^|\\s)#\\s.*$", "").strip();
+    if (!content.isEmpty()) {
+      take(content);
+    }
+  }
+
+  private Grammar grammar() {
+    if (language.isEmpty()) {
+      throw fault("names no language", "write a line such as language en");
     }
     return new Grammar(
-        reader.language,
-        reader.rules,
-        reader.patterns,
-        new Inflection(reader.endings, reader.irregular),
-        reader.numbers,
-        reader.times,
-        reader.lists,
-        reader.phrases,
-        reader.spellings,
-        reader.reports);
+        language,
+        rules,
+        patterns,
+        new Inflection(endings, irregular),
+        numbers,
+        times,
+        lists,
+        phrases,
+        spellings,
+        reports);
+  }
+
+  /** All that the other grammar says is said in this line. */
+  private void like(String tag) {
+    String own = language;
+    for (String written : other(tag).split("\n", -1)) {
+      takeLine(written);
+    }
+    language = own;
+  }
+
+  private String other(String tag) {
+    return others
+        .apply(tag)
+        .orElseThrow(
+            () -> fault("there is no grammar " + tag, "name one that is shipped, such as en"));
+  }
+
+  private void phrasesLike(String rest) {
+    if (!rest.matches("like \\S+")) {
+      throw fault("does not say whose phrases", "write phrases like en");
+    }
+    phrasesLike = Optional.of(rest.substring(rest.indexOf(' ') + 1));
   }
 
   private void take(String content) {
@@ -96,6 +151,8 @@ public final class GrammarReader {
     String rest = blank < 0 ? "" : content.substring(blank + 1).strip();
     switch (keyword) {
       case "language" -> language = rest;
+      case "like" -> like(rest);
+      case "phrases" -> phrasesLike(rest);
       case "ending" -> ending(rest);
       case "irregular" -> irregular(rest);
       case "number" -> pair(rest, (word, value) -> numbers.put(word, number(value)));
@@ -108,8 +165,8 @@ public final class GrammarReader {
       default ->
           throw fault(
               "begins with " + keyword,
-              "write a rule such as Act = v:Vp -> (do v), or language, pattern, ending, irregular,"
-                  + " number, times, list, spelling, phrase or report");
+              "write a rule such as Act = v:Vp -> (do v), or language, like, phrases, pattern, ending,"
+                  + " irregular, number, times, list, spelling, phrase or report");
     }
   }
 

@@ -23,6 +23,8 @@ import org.maestro.ontology.wording.Said;
 public final class ConstructionRules {
   private static final Pattern PART =
       Pattern.compile("\\[([^\\]]*)]|\\(([^)]*)\\)|\\{([^}]*)}|([^\\s\\[\\](){}]+)");
+  private static final String WORDS = "Text";
+
   private static final Map<String, String> CATEGORIES =
       Map.of(
           "Relation", "Where",
@@ -31,7 +33,7 @@ public final class ConstructionRules {
           "integer", "Amount",
           "duration", "Span",
           "time", "Clock",
-          "string", "Text");
+          "string", WORDS);
 
   private static final String TEXT = "string";
 
@@ -117,7 +119,11 @@ public final class ConstructionRules {
               && (filling.textAt() >= 0 || !stands(ConstructionPlaces.SAYING, pattern))
               && (isOfAnObject(construction, rest) || !stands(ConstructionPlaces.OBJECT, pattern));
       if (mayBe && tells == stands(ConstructionPlaces.SUBJECT, pattern)) {
-        made.accept(rule(pattern, construction, filling));
+        Rule rule = rule(pattern, construction, filling);
+        // Whatever is said may be any words: nothing that is meant otherwise would be heard then.
+        if (!rule.symbols().get(0).equals(new Symbol.Category(WORDS))) {
+          made.accept(rule);
+        }
       }
     }
   }

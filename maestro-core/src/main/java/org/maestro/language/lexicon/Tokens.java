@@ -27,22 +27,25 @@ public final class Tokens {
   private static final Pattern ENDS = Pattern.compile("[.!?;:\"“”„()\\[\\]{}]+$");
   private static final Pattern BEGINNINGS = Pattern.compile("^[\"“”„(\\[{¿¡]+");
 
-  /** Stands in a spelling for what goes before an ending. */
-  private static final String BEGINNING = "~";
+  /** Stands in a spelling for what goes before an ending, or behind a beginning. */
+  private static final String REST = "~";
 
   private final Map<String, String> spellings;
   private final Map<String, String> endings = new TreeMap<>(LONGEST_FIRST);
+  private final Map<String, String> beginnings = new TreeMap<>(LONGEST_FIRST);
 
   /**
    * @param spellings words that are written otherwise first; one that begins with ~ is the end of a
-   *     word, where ~ is the rest of it
+   *     word, one that ends with ~ its beginning, where ~ is the rest of it
    */
   public Tokens(Map<String, String> spellings) {
     this.spellings = Map.copyOf(spellings);
     spellings.forEach(
         (written, meant) -> {
-          if (written.startsWith(BEGINNING)) {
-            endings.put(written.substring(BEGINNING.length()), meant);
+          if (written.startsWith(REST)) {
+            endings.put(written.substring(REST.length()), meant);
+          } else if (written.endsWith(REST)) {
+            beginnings.put(written.substring(0, written.length() - REST.length()), meant);
           }
         });
   }
@@ -90,6 +93,17 @@ public final class Tokens {
     return written.substring(0, isWithinASign ? LONGEST_WORD - 1 : LONGEST_WORD);
   }
 
+  /** A word in two parts, of which one is the rest. */
+  private void spelled(String meant, String rest, List<String> words) {
+    for (String part : meant.split(" ")) {
+      if (part.contains(REST)) {
+        spelled(part.replace(REST, rest), words);
+      } else {
+        words.add(part);
+      }
+    }
+  }
+
   private void spelled(String word, List<String> words) {
     String other = spellings.get(word);
     if (other != null) {
@@ -99,13 +113,13 @@ public final class Tokens {
     for (Map.Entry<String, String> ending : endings.entrySet()) {
       String beginning = word.substring(0, Math.max(0, word.length() - ending.getKey().length()));
       if (word.endsWith(ending.getKey()) && !beginning.isEmpty()) {
-        for (String part : ending.getValue().split(" ")) {
-          if (part.startsWith(BEGINNING)) {
-            spelled(part.replace(BEGINNING, beginning), words);
-          } else {
-            words.add(part);
-          }
-        }
+        spelled(ending.getValue(), beginning, words);
+        return;
+      }
+    }
+    for (Map.Entry<String, String> beginning : beginnings.entrySet()) {
+      if (word.startsWith(beginning.getKey()) && word.length() > beginning.getKey().length()) {
+        spelled(beginning.getValue(), word.substring(beginning.getKey().length()), words);
         return;
       }
     }

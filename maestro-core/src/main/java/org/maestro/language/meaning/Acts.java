@@ -20,6 +20,7 @@ import org.maestro.sl.Term;
 /** What an utterance's reading means. Bound to one reading in one situation. */
 final class Acts {
   private static final String SELF = "self";
+  private static final String SPEAKER = "speaker";
   private static final double SECONDS_IN_MINUTE = 60;
   private static final int MINUTES_IN_DAY = 1440;
 
@@ -118,6 +119,7 @@ final class Acts {
       case "excepting" -> command(excepting(verb.part(0), verb.part(1)));
       case "located" -> command(located(verb.part(0), verb.part(1)));
       case "run" -> Optional.of(run(verb.part(0)));
+      case "benefiting" -> benefiting(verb.part(0), verb.part(1));
       case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
@@ -130,6 +132,17 @@ final class Acts {
           measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       default -> formula(verb).map(Acts::goal);
     };
+  }
+
+  /** For whom something is done that is done for nobody is only said. */
+  private Optional<Content> benefiting(Form verb, Form who) {
+    Optional<List<Term>> persons =
+        NounPhrases.persons(situation.home()).flatMap(kind -> references.terms(who, kind));
+    if (persons.isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    return command(verb);
   }
 
   /** A place that is said at the end is that of the first thing that was said. */
@@ -164,6 +177,9 @@ final class Acts {
       if (part.is("np") || part.is("everything")) {
         parts.set(i, Form.of("except", part, but));
         return new Form(verb.head(), parts);
+      } else if (verb.is("located") && i == 0) {
+        Form left = excepting(part, but);
+        return left.is("nowhere") ? left : Form.of("located", left, verb.part(1));
       } else if (part.is("role") && part.part(1).is("np")) {
         parts.set(i, Form.of("role", part.part(0), Form.of("except", part.part(1), but)));
         return new Form(verb.head(), parts);
@@ -184,6 +200,7 @@ final class Acts {
     return construction.roles().stream()
         .filter(role -> situation.home().vocabulary().classes().containsKey(role.type()))
         .filter(role -> mayBeSomewhere(Optional.of(construction), role.name()))
+        .filter(role -> !isUsuallyWhoSpeaks(role))
         .filter(
             role ->
                 verb.parts().stream()
@@ -197,9 +214,17 @@ final class Acts {
                   Form.of(
                       "role",
                       Form.leaf(role.name()),
-                      Form.of("np", Form.leaf("the"), Form.of("at", kind, where))));
+                      Form.of(
+                          "np",
+                          Form.leaf(where.is("everywhere") ? "all" : "the"),
+                          Form.of("at", kind, where))));
               return new Form(verb.head(), parts);
             });
+  }
+
+  /** Who says hello in the kitchen greets nobody else who is there. */
+  private static boolean isUsuallyWhoSpeaks(Construction.Role role) {
+    return role.usually().filter(new Term.Variable(SPEAKER)::equals).isPresent();
   }
 
   private Optional<Formula> formula(Form verb) {
@@ -397,6 +422,11 @@ final class Acts {
   }
 
   private Optional<Content> timed(Form when, Form act) {
+    Optional<Form> frame = Frames.within(act);
+    Optional<Form> said = frame.flatMap(frames::clock);
+    if (said.isPresent() && isADay(when)) {
+      return onDay(when, said.get(), act);
+    }
     if (isOfTheClock(when) && isTimedByTheClock(act)) {
       // Nothing begins at two times of the day.
       references.die();
@@ -409,7 +439,7 @@ final class Acts {
     Content.Argument nested = new Content.Argument.Nested(then.get());
     switch (when.head()) {
       case "at":
-        return clock(when.part(0)).map(minute -> new Content("at", List.of(minute, nested)));
+        return clock(when.part(0), frame).map(minute -> new Content("at", List.of(minute, nested)));
       case "every":
         return everyDay(when.part(1), when.text(0), nested);
       case "after":
@@ -417,7 +447,7 @@ final class Acts {
       case "tomorrow":
         return tomorrow(when.part(0), nested);
       case "until":
-        return clock(when.part(0))
+        return clock(when.part(0), Optional.empty())
             .map(
                 minute ->
                     new Content(
@@ -468,6 +498,11 @@ final class Acts {
 
   /** A time of the next day is so long after now. */
   private Optional<Content> tomorrow(Form clock, Content.Argument nested) {
+    if (clock.is("_")) {
+      // Nobody has said when.
+      references.die();
+      return Optional.empty();
+    }
     OptionalInt minute = Values.minuteOfTomorrow(clock);
     if (minute.isEmpty() || situation.minuteOfDay().isEmpty()) {
       references.die();
@@ -485,8 +520,62 @@ final class Acts {
     return new Content.Argument.OfTerm(new Term.Number(Values.seconds(span)));
   }
 
-  private Optional<Content.Argument> clock(Form clock) {
-    OptionalInt minute = Values.minuteOfDay(clock, situation.minuteOfDay());
+  /** Whether it says on which day something is, or in which part of it, and not when. */
+  private static boolean isADay(Form when) {
+    return when.is("tomorrow") && (when.part(0).is("_") || isAPart(when.part(0)))
+        || when.is("at") && isAPart(when.part(0));
+  }
+
+  private static boolean isAPart(Form clock) {
+    return clock.is("part") && clock.parts().size() == 1;
+  }
+
+  /** A day that is said beside the time which is set is the day of that time. */
+  private Optional<Content> onDay(Form when, Form clock, Form act) {
+    Form day = when.part(0);
+    Form exact =
+        day.is("_")
+            ? Form.of("part", Form.leaf("any"), clock)
+            : Form.of("part", day.part(0), clock);
+    Optional<Content> then = message(replaced(act, clock, exact));
+    OptionalInt minute = Values.minuteOfTomorrow(exact);
+    if (then.isEmpty() || when.is("at")) {
+      return then;
+    }
+    if (minute.isEmpty() || situation.minuteOfDay().isEmpty()) {
+      references.die();
+      return Optional.empty();
+    }
+    int now = situation.minuteOfDay().getAsInt();
+    if (minute.getAsInt() <= now) {
+      return then;
+    }
+    // Who sets a clock to a time that is still to come today sets it for today.
+    double untilMidnight = SECONDS_IN_MINUTE * (MINUTES_IN_DAY - now);
+    return Optional.of(
+        new Content(
+            "after",
+            List.of(
+                new Content.Argument.OfTerm(new Term.Number(untilMidnight)),
+                new Content.Argument.Nested(then.get()))));
+  }
+
+  private static Form replaced(Form form, Form part, Form by) {
+    return form.equals(part)
+        ? by
+        : new Form(form.head(), form.parts().stream().map(one -> replaced(one, part, by)).toList());
+  }
+
+  /**
+   * @param frame of what is done then
+   */
+  private Optional<Content.Argument> clock(Form clock, Optional<Form> frame) {
+    boolean isOfTheMorning =
+        frame.filter(one -> frames.construction(one).inTheMorning()).isPresent();
+    OptionalInt minute =
+        isOfTheMorning
+            ? Values.minuteOfMorning(clock, situation.minuteOfDay())
+            : Values.minuteOfDay(clock, situation.minuteOfDay());
     if (minute.isEmpty()) {
       references.die();
       return Optional.empty();

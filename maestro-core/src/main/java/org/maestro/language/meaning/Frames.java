@@ -88,6 +88,28 @@ final class Frames {
         : Optional.empty();
   }
 
+  /** The frame of an act, where it is one and no other. */
+  static Optional<Form> within(Form act) {
+    if (act.is("frame")) {
+      return Optional.of(act);
+    }
+    return switch (act.head()) {
+      case "do", "instead", "yes", "both", "located", "excepting", "benefiting" ->
+          act.parts().stream().map(Frames::within).flatMap(Optional::stream).findFirst();
+      default -> Optional.empty();
+    };
+  }
+
+  /** The time of the day that is said in a frame. */
+  Optional<Form> clock(Form frame) {
+    Map<String, Form> fillers = fillers(frame);
+    return construction(frame).roles().stream()
+        .filter(role -> role.type().equals(TIME))
+        .map(role -> fillers.getOrDefault(role.name(), Form.HOLE))
+        .filter(said -> !said.is("_"))
+        .findFirst();
+  }
+
   private static Map<String, Form> fillers(Form frame) {
     Map<String, Form> fillers = new LinkedHashMap<>();
     frame.parts().stream()
@@ -206,7 +228,7 @@ final class Frames {
             return others.apply(more);
           });
     }
-    Optional<Term> value = value(role, filler);
+    Optional<Term> value = value(construction, role, filler);
     Function<Term, Optional<Formula>> next =
         term -> {
           Map<String, Term> more = new HashMap<>(terms);
@@ -244,14 +266,17 @@ final class Frames {
         .isPresent();
   }
 
-  private Optional<Term> value(Construction.Role role, Form filler) {
+  private Optional<Term> value(Construction construction, Construction.Role role, Form filler) {
     if (isOfAClass(role)) {
       return Optional.empty();
     }
     if (!role.type().equals(TIME)) {
       return Values.of(filler);
     }
-    OptionalInt minute = Values.minuteOfDay(filler, situation.minuteOfDay());
+    OptionalInt minute =
+        construction.inTheMorning()
+            ? Values.minuteOfMorning(filler, situation.minuteOfDay())
+            : Values.minuteOfDay(filler, situation.minuteOfDay());
     if (minute.isEmpty()) {
       references.die();
       return Optional.empty();
@@ -406,7 +431,9 @@ final class Frames {
         continue;
       }
       Optional<List<Term>> value =
-          value(role, filler).map(List::of).or(() -> references.terms(filler, role.type()));
+          value(construction, role, filler)
+              .map(List::of)
+              .or(() -> references.terms(filler, role.type()));
       if (value.isEmpty()) {
         return Optional.empty();
       }

@@ -158,17 +158,8 @@ public final class Interpreter {
   }
 
   private static boolean isEarly(Form form, Acts acts) {
-    return frame(form)
+    return Frames.within(form)
         .map(frame -> acts.frames().construction(frame).early())
         .orElse(form.is("do") && !form.part(0).is("run"));
-  }
-
-  private static Optional<Form> frame(Form form) {
-    if (form.is("frame")) {
-      return Optional.of(form);
-    }
-    return form.is("do") || form.is("instead") || form.is("yes") || form.is("both")
-        ? form.parts().stream().map(Interpreter::frame).flatMap(Optional::stream).findFirst()
-        : Optional.empty();
   }
 }

@@ -216,6 +216,7 @@ final class Measures {
                     of.fluent().name(),
                     OptionalDouble.empty(),
                     OptionalDouble.empty(),
+                    OptionalDouble.empty(),
                     List.of(),
                     List.of(),
                     List.of(),

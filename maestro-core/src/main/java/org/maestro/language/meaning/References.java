@@ -146,7 +146,12 @@ final class References {
       each.add(one.get());
     }
     List<Formula> able =
-        wished ? each.stream().filter(settables::mayBringAbout).toList() : List.of();
+        wished
+            ? each.stream()
+                .filter(settables::mayBringAbout)
+                .filter(goal -> !settables.isOutOfReach(goal))
+                .toList()
+            : List.of();
     return Optional.of(conjunction(able.isEmpty() ? each : able));
   }
 

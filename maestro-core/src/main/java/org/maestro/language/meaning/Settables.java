@@ -5,12 +5,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.maestro.language.reference.Reference;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Effect;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
 
@@ -72,6 +74,57 @@ final class Settables {
         || (isWished ? bringing() : ending())
             .getOrDefault(atom.predicate(), Set.of()).stream()
                 .anyMatch(bringer -> bringer.mayBring(atom));
+  }
+
+  /**
+   * Whether it is a number of a place, and who sets such numbers does so for other places only, as
+   * the home says: the thermostats of other rooms.
+   */
+  boolean isOutOfReach(Formula goal) {
+    if (!(goal instanceof Formula.Comparison comparison)
+        || !(comparison.left() instanceof Expression.Fluent fluent)
+        || fluent.arguments().size() != 1
+        || !(fluent.arguments().get(0) instanceof Term.Name place)
+        || home.devices().containsKey(place.text())) {
+      return false;
+    }
+    return home.devices().values().stream()
+        .flatMap(
+            device ->
+                device.features().stream()
+                    .flatMap(
+                        feature ->
+                            assigned(feature.effect(), fluent.name())
+                                .map(where -> isElsewhere(device, feature, where, place))))
+        .reduce((one, other) -> one && other)
+        .orElse(false);
+  }
+
+  /** The variables of whose number an effect is one. */
+  private static Stream<Term> assigned(Effect effect, String fluent) {
+    if (effect instanceof Effect.All all) {
+      return all.effects().stream().flatMap(part -> assigned(part, fluent));
+    }
+    return effect instanceof Effect.Change change
+            && change.assignment() == Effect.Assignment.ASSIGN
+            && change.fluent().name().equals(fluent)
+            && change.fluent().arguments().size() == 1
+        ? Stream.of(change.fluent().arguments().get(0))
+        : Stream.of();
+  }
+
+  private static boolean isElsewhere(
+      Device device, FeatureType feature, Term where, Term.Name place) {
+    List<Formula> conditions =
+        feature.precondition() instanceof Formula.And and
+            ? and.operands()
+            : List.of(feature.precondition());
+    return conditions.stream()
+        .filter(Formula.Atom.class::isInstance)
+        .map(Formula.Atom.class::cast)
+        .filter(atom -> atom.arguments().equals(List.of(new Term.Variable(SELF), where)))
+        .map(atom -> device.individual().properties().getOrDefault(atom.predicate(), List.of()))
+        .anyMatch(stated -> !stated.isEmpty() && !stated.contains(place));
   }
 
   /**

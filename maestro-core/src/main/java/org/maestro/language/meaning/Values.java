@@ -9,6 +9,8 @@ import org.maestro.sl.Term;
 final class Values {
   private static final int NOON = 720;
   private static final int DAY = 1440;
+  private static final int EVENING = 1080;
+  private static final int DAWN = 360;
   private static final int HOUR = 60;
   private static final int HALF = 30;
   private static final int QUARTER = 15;
@@ -31,7 +33,7 @@ final class Values {
           Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
       case "quantity" -> Optional.of(new Term.Number(quantity(said)));
       case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
-      case "text" -> Optional.of(new Term.Text(text(said)));
+      case "text" -> Optional.of(new Term.Text(text(said).replaceFirst("^(, )+", "")));
       default -> Optional.empty();
     };
   }
@@ -99,11 +101,31 @@ final class Values {
         return next(hours(clock) - HALF, now);
       case "pastquarter":
         return next(hours(clock) + QUARTER, now);
+      case "before":
+        // So many minutes before the hour.
+        return next(
+            (int) (Double.parseDouble(clock.text(0)) * HOUR - Double.parseDouble(clock.text(1))),
+            now);
       case "toquarter":
         return next(hours(clock) - QUARTER, now);
       default:
         return next(hours(clock), now);
     }
+  }
+
+  /**
+   * The same of what is usually wanted in the morning: of two times that are called the same that
+   * of the morning is meant, unless the other one is still to come this afternoon.
+   */
+  static OptionalInt minuteOfMorning(Form clock, OptionalInt now) {
+    OptionalInt next = minuteOfDay(clock, now);
+    OptionalInt morning = minuteOfTomorrow(clock);
+    return next.isPresent()
+            && morning.isPresent()
+            && next.getAsInt() == morning.getAsInt() + NOON
+            && next.getAsInt() >= EVENING
+        ? morning
+        : next;
   }
 
   /** The same of the next day: what may be meant of two times is that of the morning. */
@@ -149,7 +171,13 @@ final class Values {
       return OptionalInt.of(
           isMorning ? 8 * HOUR : clock.text(0).equals("evening") ? 20 * HOUR : NOON);
     }
+    if (clock.text(0).equals("any")) {
+      return minuteOfTomorrow(clock.part(1));
+    }
     OptionalInt said = minuteOfDay(clock.part(1), now);
+    if (clock.text(0).equals("night") && said.isPresent() && said.getAsInt() % NOON < DAWN) {
+      return OptionalInt.of(said.getAsInt() % NOON);
+    }
     return said.isEmpty() ? said : OptionalInt.of(said.getAsInt() % NOON + (isMorning ? 0 : NOON));
   }
 }

@@ -135,6 +135,9 @@ public final class NounPhrases {
       parts.set(last, Form.of("at", parts.get(last), where));
       return new Form("np", parts);
     }
+    if (phrase.is("except")) {
+      return Form.of("except", placed(phrase.part(0), where), phrase.part(1));
+    }
     return phrase.is("everything") ? Form.of("everything", where) : phrase;
   }
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.LocalTime;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.maestro.language.grammar.Grammar;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
@@ -25,8 +26,21 @@ final class AmountWords {
     this.spans = new SpanWords(grammar);
   }
 
-  /** So much of what the fluent tells. */
+  /** So much of what the fluent tells, as finely as people are told it. */
   String of(String fluent, double number) {
+    OptionalDouble grain =
+        Optional.ofNullable(home.wording().measures().get(fluent))
+            .map(Measure::grain)
+            .orElse(OptionalDouble.empty());
+    return exactly(
+        fluent,
+        grain.isPresent() && grain.getAsDouble() > 0
+            ? Math.round(number / grain.getAsDouble()) * grain.getAsDouble()
+            : number);
+  }
+
+  /** The same of a number that is a bound, and none that was measured. */
+  String exactly(String fluent, double number) {
     Optional<Measure> measure = Optional.ofNullable(home.wording().measures().get(fluent));
     if (measure.filter(one -> one.whole().orElse(0) == 1).isPresent()) {
       return phrases.of("percent", Map.of("number", phrases.digits(number * HUNDRED)));

@@ -258,7 +258,7 @@ public final class FactWords {
                     naming.word(fluent.name()),
                     "thing",
                     String.join(", ", whose)));
-    return amount(fluent.name(), value.term(), named)
+    return amount(fluent.name(), comparison.relation(), value.term(), named)
         .map(amount -> new Clause(subject, ONE, phrase(comparison.relation()), amount));
   }
 
@@ -273,10 +273,14 @@ public final class FactWords {
   }
 
   /** A number of it, as a share where it is one, else with its unit. */
-  private Optional<String> amount(String fluent, Term value, NamedTerms named) {
+  private Optional<String> amount(
+      String fluent, Formula.Relation relation, Term value, NamedTerms named) {
     if (!(value instanceof Term.Number number)) {
       return named.text(value);
     }
-    return Optional.of(amounts.of(fluent, number.value()));
+    return Optional.of(
+        relation == Formula.Relation.EQUAL
+            ? amounts.of(fluent, number.value())
+            : amounts.exactly(fluent, number.value()));
   }
 }

@@ -134,13 +134,19 @@ public final class QuestionsBack {
 
   private String outOfRange(Doubt.OutOfRange range) {
     AmountWords amounts = new AmountWords(situation.home(), grammar);
-    String least = amounts.of(range.fluent(), range.least());
+    String least = amounts.exactly(range.fluent(), range.least());
     String what = naming.word(range.fluent());
     return range.most() == Double.MAX_VALUE
         ? phrases.of("at-least", Map.of("what", what, "least", least))
         : phrases.of(
             "out-of-range",
-            Map.of("what", what, "least", least, "most", amounts.of(range.fluent(), range.most())));
+            Map.of(
+                "what",
+                what,
+                "least",
+                least,
+                "most",
+                amounts.exactly(range.fluent(), range.most())));
   }
 
   /**

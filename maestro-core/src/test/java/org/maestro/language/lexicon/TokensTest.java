@@ -76,6 +76,14 @@ class TokensTest {
   }
 
   @Test
+  void aBeginningStandsAloneAsAnEndingDoes() {
+    Tokens french = new Tokens(Map.of("l'~", "l' ~", "~-tu", "~ tu"));
+    assertThat(french.of("Peux-tu montrer l'heure"))
+        .containsExactly("peux", "tu", "montrer", "l'", "heure");
+    assertThat(french.of("l'")).containsExactly("l'");
+  }
+
+  @Test
   void writingFromTheRightIsWords() {
     assertThat(of("\u202Bהדלק את האור\u202C")).containsExactly("הדלק", "את", "האור");
     assertThat(of("turn on \u200Fأضئ\u200E now")).containsExactly("turn", "on", "أضئ", "now");

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.maestro.ontology.validation.Fault;
@@ -74,7 +75,15 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found, also when the file cannot be read
    */
   public Home load(Path file) {
-    return load(text(file), String.valueOf(file.getFileName()));
+    return read(text(file), name(file), folder(file), new SourceGraph());
+  }
+
+  private static String name(Path file) {
+    return String.valueOf(file.getFileName());
+  }
+
+  private static Optional<Path> folder(Path file) {
+    return Optional.ofNullable(file.toAbsolutePath().getParent());
   }
 
   private static String text(Path file) {
@@ -100,7 +109,7 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found
    */
   public Home load(String text, String baseName) {
-    return read(text, baseName, new SourceGraph());
+    return read(text, baseName, Optional.empty(), new SourceGraph());
   }
 
   /**
@@ -109,7 +118,7 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found, also when the file cannot be read
    */
   public CheckedHome check(Path file) {
-    return check(text(file), String.valueOf(file.getFileName()));
+    return check(text(file), name(file), folder(file));
   }
 
   /**
@@ -120,17 +129,28 @@ public final class HomeLoader {
    * @throws HomeFaultException with every fault that was found
    */
   public CheckedHome check(String text, String baseName) {
+    return check(text, baseName, Optional.empty());
+  }
+
+  private CheckedHome check(String text, String baseName, Optional<Path> folder) {
     SourceGraph graph = new SourceGraph();
-    Home home = read(text, baseName, graph);
+    Home home = read(text, baseName, folder, graph);
     CheckedHome checked = new CheckedHome(home, new HomeDoubts(graph, home).found());
     refuseFaults(graph);
     return checked;
   }
 
-  private Home read(String text, String baseName, SourceGraph graph) {
+  /**
+   * @param folder in which the home's file is, and what it brings; empty: it was not read from one
+   */
+  private Home read(String text, String baseName, Optional<Path> folder, SourceGraph graph) {
     readVocabulary(graph);
     String base = HOMES_BASE + baseName.replaceFirst("\\.ttl$", "").replaceAll("[^\\w.-]", "-");
     new SourceReader(graph, baseName, base).readTurtle(text);
+    refuseFaults(graph);
+    BroughtLanguages brought = new BroughtLanguages(graph, folder);
+    brought.addWords(base);
+    Map<String, String> grammars = brought.grammars();
     refuseFaults(graph);
     addHousehold(graph, baseName);
     new Inference(graph).run();
@@ -138,7 +158,9 @@ public final class HomeLoader {
     Vocabulary vocabulary = new VocabularyReader(graph).read();
     Home home = new HomeReader(graph, vocabulary, baseName).read();
     refuseFaults(graph);
-    return home;
+    return grammars.isEmpty()
+        ? home
+        : home.knownAs(home.individuals(), home.wording().spokenBy(grammars));
   }
 
   /** The vocabulary without a home. */

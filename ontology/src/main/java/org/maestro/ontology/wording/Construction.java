@@ -16,6 +16,8 @@ import org.maestro.sl.Term;
  * @param holdsWhen what is so when it is told, or when it is waited for
  * @param early whether it may be begun before the sentence ends
  * @param confirm whether it is asked back always
+ * @param inTheMorning whether it is usually wanted in the morning: of two times of the day that are
+ *     called the same that one is meant
  */
 public record Construction(
     String name,
@@ -24,7 +26,8 @@ public record Construction(
     Optional<Content> means,
     Optional<Formula> holdsWhen,
     boolean early,
-    boolean confirm) {
+    boolean confirm,
+    boolean inTheMorning) {
   public Construction {
     says = List.copyOf(says);
     roles = List.copyOf(roles);

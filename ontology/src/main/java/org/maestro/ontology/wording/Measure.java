@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
  *
  * @param step what "turn it up" adds
  * @param whole what a hundred percent is
+ * @param grain to whose multiples it is told: it is known no better, or nobody wants it finer
  * @param more words such as "brighter", by which more of it is wished
  * @param less words such as "darker"
  * @param asked words such as "bright", by which "how ... is it" asks for it
@@ -17,6 +18,7 @@ public record Measure(
     String fluent,
     OptionalDouble step,
     OptionalDouble whole,
+    OptionalDouble grain,
     List<Said> more,
     List<Said> less,
     List<Said> asked,

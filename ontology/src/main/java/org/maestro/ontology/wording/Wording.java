@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
  * @param topics what constructions are about: their local names, by the topic's
  * @param told how facts of predicates and steps of features are told where not as they are in the
  *     vocabulary, by local name
+ * @param grammars those that the home brings: their texts, by the tag of their language
  */
 public record Wording(
     Map<String, String> languages,
@@ -31,7 +32,8 @@ public record Wording(
     List<StateWord> states,
     List<Construction> constructions,
     Map<String, Set<String>> topics,
-    Map<String, List<Said>> told) {
+    Map<String, List<Said>> told,
+    Map<String, String> grammars) {
   /** Who speaks as nobody says otherwise. */
   static final String HOME = "";
 
@@ -39,7 +41,7 @@ public record Wording(
   public static final Wording NONE =
       new Wording(
           Map.of(), Map.of(), Map.of(), Set.of(), Map.of(), List.of(), List.of(), Map.of(),
-          Map.of());
+          Map.of(), Map.of());
 
   public Wording {
     languages = Map.copyOf(languages);
@@ -51,6 +53,7 @@ public record Wording(
     constructions = List.copyOf(constructions);
     topics = Collections.unmodifiableMap(new TreeMap<>(topics));
     told = Collections.unmodifiableMap(new TreeMap<>(told));
+    grammars = Collections.unmodifiableMap(new TreeMap<>(grammars));
   }
 
   /**
@@ -68,7 +71,8 @@ public record Wording(
         states,
         constructions.stream().filter(one -> wanted.contains(one.name())).toList(),
         topics,
-        told);
+        told,
+        grammars);
   }
 
   /**
@@ -86,7 +90,27 @@ public record Wording(
         states.stream().filter(state -> isSpokenOf.test(state.of())).toList(),
         constructions,
         topics,
-        told);
+        told,
+        grammars);
+  }
+
+  /**
+   * The same words with grammars that are brought.
+   *
+   * @param texts by the tag of their language
+   */
+  public Wording spokenBy(Map<String, String> texts) {
+    return new Wording(
+        languages,
+        names,
+        prepositions,
+        describing,
+        measures,
+        states,
+        constructions,
+        topics,
+        told,
+        texts);
   }
 
   private static <V> Map<String, V> kept(Map<String, V> all, Predicate<String> isSpokenOf) {

@@ -97,7 +97,16 @@ public final class WordingReader {
       }
     }
     return new Wording(
-        languages, names, prepositions, describing, measures, states, constructions, topics, told);
+        languages,
+        names,
+        prepositions,
+        describing,
+        measures,
+        states,
+        constructions,
+        topics,
+        told,
+        Map.of());
   }
 
   private List<String> included(Node topic) {
@@ -109,6 +118,7 @@ public final class WordingReader {
         fluent,
         literals.number(node, "step"),
         literals.number(node, "whole"),
+        literals.number(node, "grain"),
         said(node, Maestro.term("more")),
         said(node, Maestro.term("less")),
         said(node, Maestro.term("howMuch")),
@@ -184,7 +194,8 @@ public final class WordingReader {
             means,
             holds,
             literals.flag(node, "early"),
-            literals.flag(node, "confirm")));
+            literals.flag(node, "confirm"),
+            literals.flag(node, "inTheMorning")));
   }
 
   private void checkRoles(Node node, List<Construction.Role> roles) {

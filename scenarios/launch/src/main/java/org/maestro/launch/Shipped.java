@@ -9,6 +9,8 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.maestro.language.Language;
+import org.maestro.language.grammar.GrammarFaultException;
 import org.maestro.ontology.home.CheckedHome;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
@@ -69,14 +71,29 @@ final class Shipped {
     if (shipped.isPresent()) {
       return new HomeLoader().load(shipped.get(), nameOrPath + ".ttl");
     }
-    return new HomeLoader().load(file(nameOrPath, "home", HOMES));
+    return understood(new HomeLoader().load(file(nameOrPath, "home", HOMES)));
+  }
+
+  /** A home whose own grammars can be read. */
+  private static Home understood(Home home) {
+    try {
+      Language.check(home);
+      return home;
+    } catch (GrammarFaultException e) {
+      throw CommandException.badInput(String.valueOf(e.getMessage()));
+    }
   }
 
   /** A home with what is to be said of it. */
   static CheckedHome checkedHome(String nameOrPath) {
     return text("/homes/" + nameOrPath + ".ttl")
         .map(shipped -> new HomeLoader().check(shipped, nameOrPath + ".ttl"))
-        .orElseGet(() -> new HomeLoader().check(file(nameOrPath, "home", HOMES)));
+        .orElseGet(
+            () -> {
+              CheckedHome checked = new HomeLoader().check(file(nameOrPath, "home", HOMES));
+              understood(checked.home());
+              return checked;
+            });
   }
 
   static Scene scene(String nameOrPath, Home home) {

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.maestro.language.Language;
 import org.maestro.language.grammar.GrammarFaultException;
-import org.maestro.language.grammar.GrammarReader;
 import org.maestro.ontology.home.Home;
 import picocli.CommandLine.Option;
 
@@ -22,8 +21,8 @@ final class SpokenLanguage {
       names = "--language",
       paramLabel = "TAG",
       description =
-          "In which language: en, de, or a grammar's file; that of the person or of the home unless"
-              + " stated.")
+          "In which language: en, de, one that the home brings, or a grammar's file; that of the"
+              + " person or of the home unless stated.")
   private Optional<String> asked = Optional.empty();
 
   private final Map<String, Language> byTag = new HashMap<>();
@@ -43,8 +42,7 @@ final class SpokenLanguage {
     try {
       if (tag.endsWith(FILE_END)) {
         Path file = Path.of(tag);
-        return Language.of(
-            home, GrammarReader.read(Files.readString(file), String.valueOf(file.getFileName())));
+        return Language.written(home, Files.readString(file), String.valueOf(file.getFileName()));
       }
       return Language.of(home, tag);
     } catch (IOException e) {

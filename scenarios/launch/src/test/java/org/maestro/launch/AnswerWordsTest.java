@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.maestro.language.Language;
@@ -33,6 +34,30 @@ class AnswerWordsTest {
         .isEqualTo("Tom: the kids' room and Mia: the bathroom.");
     assertThat(words.of(List.of(found(Truth.TRUE, Map.of("value", "20.456"), 1))))
         .isEqualTo("20.46.");
+  }
+
+  /** A thermometer is right to half a degree, and nobody asks how many thousandths a lamp has. */
+  @Test
+  void aNumberIsToldAsFinelyAsTheHomeSays() {
+    assertThat(told("temperature", 19.02)).isEqualTo("19 °C.");
+    assertThat(told("temperature", 20.77)).isEqualTo("21 °C.");
+    assertThat(told("temperature", -0.31)).isEqualTo("-0.5 °C.");
+    assertThat(told("temperature", -0.1)).isEqualTo("0 °C.");
+    assertThat(told("illuminance", 153.27)).isEqualTo("153 lux.");
+    assertThat(told("level", 0.3333)).isEqualTo("33 percent.");
+    assertThat(told("mass", 0.25)).isEqualTo("0.25 kg.");
+    assertThat(
+            new AnswerWords(home, Language.of(home, "de").grammar())
+                .of(number(21.3), Optional.of("temperature")))
+        .isEqualTo("21,5 °C.");
+  }
+
+  private String told(String fluent, double number) {
+    return words.of(number(number), Optional.of(fluent));
+  }
+
+  private static List<AnswerWords.Found> number(double value) {
+    return List.of(found(Truth.TRUE, Map.of("value", String.valueOf(value)), 1));
   }
 
   private static AnswerWords.Found likely(Map<String, String> binding) {

@@ -173,7 +173,8 @@ final class OtherWords {
               one.means(),
               one.holdsWhen(),
               one.early(),
-              one.confirm()));
+              one.confirm(),
+              one.inTheMorning()));
     }
     Map<String, Measure> measures = new TreeMap<>();
     wording
@@ -186,6 +187,7 @@ final class OtherWords {
                         one.fluent(),
                         one.step(),
                         one.whole(),
+                        one.grain(),
                         said(one.more(), text),
                         said(one.less(), text),
                         said(one.asked(), text),
@@ -199,7 +201,8 @@ final class OtherWords {
         states,
         constructions,
         wording.topics(),
-        said(wording.told(), text));
+        said(wording.told(), text),
+        wording.grammars());
   }
 
   private static Map<String, List<Said>> said(

@@ -55,6 +55,17 @@ class UnderstandCommandTest {
   @ParameterizedTest
   @ValueSource(strings = {"evening.tsv", "wordings.tsv", "rules.tsv"})
   void eachUtteranceOfTheListMeansWhatStandsBesideIt(String list) throws IOException {
+    isUnderstoodAsItSays(list, "--scene", "evening", "--to", "rob");
+  }
+
+  /** What a household has is called in German, too. */
+  @Test
+  void germanIsSpokenInAHousehold() throws IOException {
+    isUnderstoodAsItSays(
+        "german-rooms.tsv", "--home", "rooms", "--scene", "rooms", "--language", "de");
+  }
+
+  private void isUnderstoodAsItSays(String list, String... there) throws IOException {
     List<String> lines = new ArrayList<>();
     List<String> expected = new ArrayList<>();
     for (String line : resource(list).lines().filter(one -> !one.startsWith("#")).toList()) {
@@ -64,9 +75,10 @@ class UnderstandCommandTest {
     }
     Path file = Files.writeString(directory.resolve("said.tsv"), String.join("\n", lines));
 
-    String printed =
-        Printed.by(
-            "understand", "--scene", "evening", "--to", "rob", "--file", file.toString(), "--json");
+    List<String> arguments = new ArrayList<>(List.of("understand", "--json"));
+    arguments.addAll(List.of(there));
+    arguments.addAll(List.of("--file", file.toString()));
+    String printed = Printed.by(arguments.toArray(String[]::new));
 
     List<String> understood = new ArrayList<>();
     for (String document : printed.lines().toList()) {

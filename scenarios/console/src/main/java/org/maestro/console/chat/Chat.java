@@ -132,8 +132,8 @@ public final class Chat implements Source {
             spoken(body.path("language").asText(""))));
   }
 
-  private static Optional<String> spoken(String tag) {
-    if (!tag.isEmpty() && !Language.isShipped(tag)) {
+  private Optional<String> spoken(String tag) {
+    if (!tag.isEmpty() && !Language.isUnderstood(home.get(), tag)) {
       throw RefusalException.badInput(
           "Nobody here understands the language %s; say it in one that is shipped, such as de."
               .formatted(tag));
