@@ -65,7 +65,10 @@ class PartsTest {
                   ACLMessage.REQUEST,
                   "(inform (:source somebody) (:facts \"(guided Bob)\"))"),
               "understanding",
-              new Call(AgentNames.COORDINATOR, ACLMessage.REQUEST, "(say \"Greet Bob\" (:by Nobody) (:in hall))"),
+              new Call(
+                  AgentNames.COORDINATOR,
+                  ACLMessage.REQUEST,
+                  "(say \"Greet Bob\" (:by Nobody) (:in hall))"),
               "goals of keeper",
               new Call("keeper", ACLMessage.REQUEST, "(cancel (:goal keeper-99))")));
 

@@ -167,8 +167,7 @@ class SignedMailTest {
   void aCentralAgentIsOneOfTheMainContainerAndNobodyElseIsHeardUnderItsName() throws Exception {
     impostor.say(message(rose, "(perform (:action move) (:container tablet))"));
     assertThat(impostor.next().getPerformative()).isEqualTo(ACLMessage.FAILURE);
-    awaitRefusal(
-        "it is signed by tablet, and only the main container has one of that name");
+    awaitRefusal("it is signed by tablet, and only the main container has one of that name");
     assertThat(rose.heard).isEmpty();
   }
 

@@ -20,10 +20,10 @@ public final class Physics {
 
   /**
    * Of hardware that no home of the papers' experiments has: wheels of their own and cameras on
-   * robots, driven doors, lamps behind switches, sensors of persons, charging stations, thermometers
-   * and the rooms' warmth, ears and faces. And the shades of white, of which light and detection do
-   * not depend and for which no goal of an experiment asks. What exploration alone has it names
-   * itself.
+   * robots, driven doors, lamps behind switches, sensors of persons, charging stations,
+   * thermometers and the rooms' warmth, ears and faces. And the shades of white, of which light and
+   * detection do not depend and for which no goal of an experiment asks. What exploration alone has
+   * it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
