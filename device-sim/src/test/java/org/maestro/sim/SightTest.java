@@ -26,7 +26,7 @@ class SightTest {
   private static final PhysicalParameters PHYSICS = PhysicalParameters.standard();
   private static final Likeness LIKENESS = new Likeness(PHYSICS.camera(), PHYSICS.colour());
 
-  private static Photo noPhoto(Duration now) {
+  private static Photo noPhoto(Duration now, int widest) {
     throw new AssertionError("nobody asked for a photo");
   }
 

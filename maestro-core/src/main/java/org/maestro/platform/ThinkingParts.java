@@ -15,6 +15,7 @@ import org.maestro.agents.goals.ReasoningServices;
 import org.maestro.agents.knowledge.KnowledgeCopy;
 import org.maestro.agents.runtime.AgentTime;
 import org.maestro.agents.runtime.Birth;
+import org.maestro.agents.runtime.Spokesmen;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.CollectiveKnowledge;
@@ -82,7 +83,8 @@ final class ThinkingParts implements AutoCloseable {
               all(home),
               ThinkingParts::told,
               Past.none(),
-              new Dialogues(copy::home, copy::snapshot, time.clock()::instant)));
+              new Dialogues(copy::home, copy::snapshot, time.clock()::instant),
+              Spokesmen.BY_NAME));
     }
   }
 

@@ -132,6 +132,22 @@ public final class RosCamera implements Camera {
     await(topic, taken, PICTURE_WITHIN_SECONDS, listener);
   }
 
+  @Override
+  public void photograph(int widest, PhotoListener listener) {
+    photograph(
+        new PhotoListener() {
+          @Override
+          public void taken(Photo photo) {
+            listener.taken(photo.atMost(widest));
+          }
+
+          @Override
+          public void failed(String reason) {
+            listener.failed(reason);
+          }
+        });
+  }
+
   private void await(RosTopic<byte[]> topic, long taken, double seconds, PhotoListener listener) {
     Optional<RosTopic.Heard<byte[]>> next = topic.last().filter(now -> now.number() > taken);
     if (next.isPresent()) {
