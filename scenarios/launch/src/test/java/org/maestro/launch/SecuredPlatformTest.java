@@ -22,7 +22,6 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -51,7 +50,6 @@ import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.Credentials;
 import org.maestro.rats.transport.PahoTransport;
 import org.maestro.rats.transport.Transport;
-import org.maestro.scenario.AskedReference;
 import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.SlParser;
 import org.slf4j.LoggerFactory;
@@ -302,47 +300,6 @@ class SecuredPlatformTest {
         assertThat(refusal.getPerformative()).isEqualTo(ACLMessage.REFUSE);
         assertThat(refusal.getContent()).contains("Only the supervisor");
       }
-    }
-  }
-
-  /**
-   * The lamp lives in another process than the supervisor and the one that asks (ADE, 3.1; A25).
-   */
-  @Test
-  void whoMayAskIsReferredByTheSupervisorAndWhoMayNotIsToldWhy() {
-    List<String> sequence = new CopyOnWriteArrayList<>();
-    Runnable end =
-        site.platform()
-            .onMail(
-                message -> {
-                  if (message.protocol().filter("fipa-recruiting"::equals).isPresent()) {
-                    sequence.add(message.performative() + " " + message.receiver().split("@")[0]);
-                  }
-                });
-    try (JoinedContainer tablet = join("tablet");
-        JoinedContainer stranger = join("stranger")) {
-      AskedReference lamp = AskedReference.by(tablet.desk(), Wanted.agent("lamp-a1"));
-      await().atMost(SOON).until(lamp::isAnswered);
-      assertThat(lamp.reasons()).isEmpty();
-      assertThat(lamp.reference().orElseThrow().agent().getLocalName()).isEqualTo("lamp-a1");
-      assertThat(sequence)
-          .containsExactly("proxy supervisor", "agree tablet-desk", "request lamp-a1");
-
-      AskedReference rose = AskedReference.by(tablet.desk(), Wanted.agent("rose"));
-      AskedReference dark = AskedReference.by(stranger.desk(), Wanted.agent("lamp-a1"));
-      await().atMost(SOON).until(() -> rose.isAnswered() && dark.isAnswered());
-      assertThat(rose.reasons())
-          .singleElement()
-          .asString()
-          .contains("no maestro:Permission of the home lets tablet")
-          .contains("ask rose for anything");
-      assertThat(dark.reasons())
-          .singleElement()
-          .asString()
-          .contains("No maestro:Permission of the home lets stranger")
-          .contains("ask anybody for anything");
-    } finally {
-      end.run();
     }
   }
 
