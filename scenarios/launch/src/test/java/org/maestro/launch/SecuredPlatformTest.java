@@ -34,7 +34,6 @@ import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.agents.content.AgentNames;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.device.ToldRights;
-import org.maestro.agents.references.Wanted;
 import org.maestro.assembly.LocalSite;
 import org.maestro.assembly.SiteSettings;
 import org.maestro.fixtures.WireTap;
