@@ -32,14 +32,14 @@ public final class SimulatedCamera implements Camera {
   private final Shutter shutter;
 
   /** Takes the picture of a moment. */
-  interface Shutter {
+  public interface Shutter {
     /**
      * @param widest pixels; no camera gives more than it has
      */
     Photo take(Duration now, int widest);
   }
 
-  SimulatedCamera(Actuator actuator, Likeness likeness, Eye eye, Shutter shutter) {
+  public SimulatedCamera(Actuator actuator, Likeness likeness, Eye eye, Shutter shutter) {
     this.actuator = actuator;
     this.data = likeness.camera();
     this.likeness = likeness;
