@@ -58,7 +58,7 @@ class OtherLanguageByFileTest {
             + "home:lamp-a1 maestro:alsoCalled \"la petite lampe\"@fr .\n",
         "fr");
     try (Stage stage = started()) {
-      Speaker bob = stage.speaker("Bob").in("zone-a");
+      Speaker bob = stage.speaker("Bob").in("room-a");
       bob.says("Allume la petite lampe, s'il te plaît")
           .means("(initCNP (:goal (= (level lamp-a1) 1)))")
           .isReached();
@@ -71,7 +71,7 @@ class OtherLanguageByFileTest {
             + brings("de-AT"),
         "de-AT");
     try (Stage stage = started()) {
-      Speaker bob = stage.speaker("Bob").in("zone-a");
+      Speaker bob = stage.speaker("Bob").in("room-a");
       bob.says("Geh, dreh bitte die Tischlampe auf")
           .means("(initCNP (:goal (= (level tischlampe) 1)))")
           .isReached();
