@@ -1,6 +1,7 @@
 package org.maestro.experiment;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -116,7 +117,8 @@ public record Findings(
         node.put("unit", result.unit());
       }
     }
-    summary.ifPresent(told -> told.sentences().forEach(document.putArray("sentences")::add));
+    ArrayNode sentences = document.putArray("sentences");
+    summary.ifPresent(told -> told.sentences().forEach(sentences::add));
     return document.toString();
   }
 }
