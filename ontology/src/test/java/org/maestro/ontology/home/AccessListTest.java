@@ -61,7 +61,7 @@ class AccessListTest {
             fault(
                 "home:p a maestro:Permission ; maestro:caller \"nurse\" ;"
                     + " maestro:opens maestro:memroy ."))
-        .contains("memroy", "maestro:memory");
+        .contains("memroy", "write memory, if that is meant");
   }
 
   /**

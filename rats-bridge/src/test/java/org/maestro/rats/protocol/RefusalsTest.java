@@ -33,7 +33,7 @@ class RefusalsTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "'v':'1.0'|'v':'one'|v must be a text such as \"1.3\", but is \"one\"",
+        "'v':'1.0'|'v':'one'|v must be a text such as \"1.4\", but is \"one\"",
         "'v':'1.0'|'v':'2.0'|v must be of major version 1, but is 2.0",
         "'id':'c1'|'id':'c 1'|id must be 1 to 128 characters without space, but is \"c 1\"",
         "'id':'c1',|~~|id must be 1 to 128 characters without space, but is absent",
