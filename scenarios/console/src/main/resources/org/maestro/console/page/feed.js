@@ -48,13 +48,13 @@ export function onStory(listener) {
 /** What takes too long for one picture goes on with the next; a part that fails keeps no other back. */
 function tell(left, spent) {
   const begin = performance.now();
-  do {
+  while (left.length > 0 && performance.now() - begin < PICTURE_MILLIS) {
     try {
       left.shift()();
     } catch (failure) {
       reportError(failure);
     }
-  } while (left.length > 0 && performance.now() - begin < PICTURE_MILLIS);
+  }
   const taken = spent + performance.now() - begin;
   if (left.length > 0) {
     requestAnimationFrame(() => tell(left, taken));
