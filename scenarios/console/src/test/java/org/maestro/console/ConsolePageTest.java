@@ -284,7 +284,7 @@ class ConsolePageTest {
 
     assertThat(told).isEqualTo(2L);
     assertThat(browser.complaints()).anySatisfy(one -> assertThat(one).contains("this part fails"));
-    browser.go("about:blank");
+    browser.open("about:blank");
   }
 
   private static void hide(boolean isHidden) {
