@@ -27,6 +27,14 @@ final class Attention {
     return List.copyOf(meant);
   }
 
+  /** The same where it is certain already which it is, if nothing else follows. */
+  static List<String> ofBest(List<Understanding.UnderWay> readings) {
+    return of(
+        readings.stream()
+            .filter(one -> one.construction().equals(readings.get(0).construction()))
+            .toList());
+  }
+
   /** Of readings of one construction. */
   private static Set<String> alone(List<Understanding.UnderWay> readings) {
     Set<String> alone = new LinkedHashSet<>();

@@ -98,7 +98,8 @@ public final class Listening {
 
   /** The individuals that alone can be meant by what was said so far. */
   public List<String> attention() {
-    return Attention.of(underWay());
+    List<Understanding.UnderWay> readings = underWay();
+    return isComplete ? Attention.ofBest(readings) : Attention.of(readings);
   }
 
   /** Whether it is certain what is wanted, if nothing else follows; a comma changes nothing. */

@@ -51,7 +51,7 @@ class ParlourTest {
     Speaker dave = stage.speaker("Dave").in("parlour");
     dave.says("how warm is it in the parlour?")
         .means("(query-ref (:value (temperature parlour)))")
-        .replies("19.02 °C.");
+        .replies("19 °C.");
     dave.says("set the temperature to 22 degrees").isReached();
 
     stage.run(Duration.ofHours(3));
@@ -140,7 +140,7 @@ class ParlourTest {
 
     stage.await("an answer", () -> !heard(stage).isEmpty());
 
-    assertThat(heard(stage)).singleElement().asString().matches("19[.][0-9]+ °C[.]");
+    assertThat(heard(stage)).singleElement().isEqualTo("19 °C.");
   }
 
   /** The microphone dies between two sentences (A38), and comes back. */

@@ -36,7 +36,8 @@ class SpokenTest {
           (try (tell gardener (ping)) (recover "no such agent" (say Bob "There is no gardener.")))
           (try (tell CCA (ping)) (recover "operator ping" (say Bob "It does not know that.")))
           (tell CCA (query-ref waits))
-          (tell CCA (inform (:goal other-1) (:state achieved))))\""" .
+          (try (tell CCA (inform (:goal other-1) (:state achieved)))
+            (recover "does not speak for it" (say Bob "It is not believed."))))\""" .
       """;
 
   private static Stage stage(String name) throws IOException {
@@ -95,11 +96,12 @@ class SpokenTest {
           .isReached()
           .tells("gardener has not taken it: there is no such agent; ./maestro agents lists")
           .tells("CCA has not taken it: The CCA does not know the operator ping;")
-          .tells("[4] The agent CCA is told (inform (:goal other-1) (:state achieved)).");
+          .tells("CCA has not taken it: No agent of this platform stands for other, and CCA does");
 
       assertThat(heard)
           .extracting(Speech::text)
-          .containsExactly("There is no gardener.", "It does not know that.");
+          .containsExactly(
+              "There is no gardener.", "It does not know that.", "It is not believed.");
     }
   }
 
