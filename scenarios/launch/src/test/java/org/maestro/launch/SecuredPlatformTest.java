@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
@@ -67,6 +68,7 @@ class SecuredPlatformTest {
   @TempDir static Path directory;
   private static Path files;
   private static Path homeFile;
+  private static final Logger RIGHTS = (Logger) LoggerFactory.getLogger(ToldRights.class);
   private static final ListAppender<ILoggingEvent> told = new ListAppender<>();
   private static final Queue<String> STORY = new ConcurrentLinkedQueue<>();
   private static LocalSite site;
@@ -94,7 +96,8 @@ class SecuredPlatformTest {
             """);
     Home home = new HomeLoader().load(homeFile);
     told.start();
-    ((Logger) LoggerFactory.getLogger(ToldRights.class)).addAppender(told);
+    RIGHTS.setLevel(Level.INFO);
+    RIGHTS.addAppender(told);
     SecureSite.make(
         files,
         NAME,
@@ -136,7 +139,8 @@ class SecuredPlatformTest {
     if (site != null) {
       site.close();
     }
-    ((Logger) LoggerFactory.getLogger(ToldRights.class)).detachAppender(told);
+    RIGHTS.detachAppender(told);
+    RIGHTS.setLevel(Level.WARN);
   }
 
   private static String address() {

@@ -79,8 +79,7 @@ class OtherLanguageByFileTest {
           .isReached();
       bob.says("Ist die Tischlampe an?").replies("Ja.");
       bob.says("Servas").replies("Servas.");
-      bob.says("Allume la petite lampe")
-          .isRefused("Ich kenne das Wort „allume la petite“ nicht.");
+      bob.says("Allume la petite lampe").isRefused("Ich kenne das Wort „allume la petite“ nicht.");
     }
 
     assertThat(hash()).isEqualTo(program);
