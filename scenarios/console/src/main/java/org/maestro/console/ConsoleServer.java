@@ -5,6 +5,7 @@ import io.javalin.config.JavalinConfig;
 import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import io.javalin.http.HandlerType;
+import io.javalin.http.Header;
 import io.javalin.http.HttpResponseException;
 import io.javalin.http.staticfiles.Location;
 import io.javalin.util.JavalinException;
@@ -46,6 +47,8 @@ final class ConsoleServer implements AutoCloseable {
 
   /** Under which a stream finds who listens. */
   private static final String VISIT = "visit";
+
+  private static final String EVENTS = "text/event-stream";
 
   /** The parameter by which who listens names what is shown. */
   private static final String CHOSEN = "of";
@@ -172,7 +175,14 @@ final class ConsoleServer implements AutoCloseable {
     String at = Api.ROOT + path;
     routes.before(
         at,
-        context -> context.attribute(VISIT, entrance.admit(context, Optional.of(source.needs()))));
+        context -> {
+          context.attribute(VISIT, entrance.admit(context, Optional.of(source.needs())));
+          String accepted = Objects.requireNonNullElse(context.header(Header.ACCEPT), "");
+          if (!accepted.contains(EVENTS)) {
+            // To whom does not name it, Javalin answers with nothing.
+            throw new HttpResponseException(Problems.NOT_ACCEPTABLE);
+          }
+        });
     routes.sse(
         at,
         client -> {
@@ -286,6 +296,9 @@ final class ConsoleServer implements AutoCloseable {
       case Problems.NOT_ALLOWED ->
           "%s is not done with %s; %s/openapi.json tells what is."
               .formatted(context.method(), context.path(), Api.ROOT);
+      case Problems.NOT_ACCEPTABLE ->
+          "%s tells events as they come, and nothing else; ask with the header Accept: %s."
+              .formatted(context.path(), EVENTS);
       default -> "It is not answered: " + failure.getMessage() + ".";
     };
   }

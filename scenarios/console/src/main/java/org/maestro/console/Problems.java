@@ -16,6 +16,7 @@ final class Problems {
   static final int FORBIDDEN = 403;
   static final int NOT_FOUND = 404;
   static final int NOT_ALLOWED = 405;
+  static final int NOT_ACCEPTABLE = 406;
   static final int TOO_OFTEN = 429;
   static final int OUTSIDE = 503;
 

@@ -371,6 +371,15 @@ class ConsoleTest {
     assertThat(raw("PUT /api/v1/goals/G1", "Host: localhost")).contains("Allow: DELETE\r\n");
   }
 
+  /** Programs that ask for events with their tools' own headers would else get nothing at all. */
+  @Test
+  void whoListensSaysSo() throws Exception {
+    ServedHome.Answer answer = home.get("/events");
+    assertThat(answer.status()).isEqualTo(406);
+    assertValid(answer.document(), "problem");
+    assertThat(answer.problem()).endsWith("ask with the header Accept: text/event-stream.");
+  }
+
   @Test
   void aPortThatIsTakenIsASentence() throws IOException {
     try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {

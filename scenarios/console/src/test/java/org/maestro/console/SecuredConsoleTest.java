@@ -346,13 +346,17 @@ class SecuredConsoleTest {
   @Test
   void whoIsTakenOutIsLetInNoMoreAndHearsNoMore() throws Exception {
     Signed revoked = signIn("revoked");
-    HttpResponse<InputStream> events = home.stream(revoked.to("/events").build());
+    HttpResponse<InputStream> events = home.stream(listening(revoked));
     assertThat(events.statusCode()).isEqualTo(200);
 
     SecureSite.in(files).revoke(List.of("revoked"));
 
     assertThat(home.send(revoked.to("/goals")).status()).isEqualTo(401);
     assertEnds(events);
+  }
+
+  private static HttpRequest listening(Signed person) {
+    return person.to("/events").header("Accept", "text/event-stream").build();
   }
 
   private static void assertEnds(HttpResponse<InputStream> events) throws Exception {
@@ -367,7 +371,7 @@ class SecuredConsoleTest {
   @Test
   void whoGetsANewPasswordHasToSignInAnew() throws Exception {
     Signed renewed = signIn("renewed");
-    HttpResponse<InputStream> events = home.stream(renewed.to("/events").build());
+    HttpResponse<InputStream> events = home.stream(listening(renewed));
     assertThat(events.statusCode()).isEqualTo(200);
 
     SecureSite.in(files).renew(List.of("renewed"));

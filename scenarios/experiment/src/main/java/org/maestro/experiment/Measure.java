@@ -90,7 +90,7 @@ record Measure(
 
   /** A sentence, where the difference is shown. */
   Optional<String> claim(int home, String name, String first) {
-    if (home > differences.size() || !differences.get(home - 1).isShown()) {
+    if (home > differences.size() || !differences.get(home - 1).isShown(what.factor, what.places)) {
       return Optional.empty();
     }
     boolean isMore = differences.get(home - 1).value() > 0;

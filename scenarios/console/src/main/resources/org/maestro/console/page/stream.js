@@ -36,7 +36,7 @@ function showNothing() {
   nothing.hidden = false;
   nothing.textContent = streamer === ""
     ? "Name the camera or microphone behind the address of this page, such as stream.html#cam-kitchen."
-    : `${label} streams nothing now. It is begun by a call, such as ./maestro stream ${streamer}, and seen here for as long as that goes on.`;
+    : `${label.charAt(0).toUpperCase()}${label.slice(1)} streams nothing now. It is begun by a call, such as ./maestro stream ${streamer}, and seen here for as long as that goes on.`;
 }
 
 function samples(data) {

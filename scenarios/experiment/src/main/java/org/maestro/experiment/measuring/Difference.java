@@ -39,9 +39,10 @@ public record Difference(double value, Interval interval) {
     return new Difference(value, new Interval(value - down, value + up));
   }
 
-  /** Whether the interval has 0 outside of it. */
-  public boolean isShown() {
-    return interval.least() > 0 || interval.greatest() < 0;
+  /** Whether the interval, as {@link #text} tells it, has 0 outside of it. */
+  public boolean isShown(double factor, int places) {
+    return rounded(factor * interval.least(), places) > 0
+        || rounded(factor * interval.greatest(), places) < 0;
   }
 
   /**
@@ -65,9 +66,13 @@ public record Difference(double value, Interval interval) {
   }
 
   /** Nothing is not below nothing. */
-  private static String signed(double number, int places) {
+  private static double rounded(double number, int places) {
     double scale = Math.pow(10, places);
-    double rounded = Math.round(number * scale) / scale + 0.0;
+    return Math.round(number * scale) / scale + 0.0;
+  }
+
+  private static String signed(double number, int places) {
+    double rounded = rounded(number, places);
     return String.format(
         Locale.ROOT, rounded == 0 ? "%." + places + "f" : "%+." + places + "f", rounded);
   }

@@ -58,9 +58,9 @@ class MeasuringTest {
     assertThat(difference.value()).isCloseTo(0.2, within(1e-9));
     assertThat(difference.interval().least()).isCloseTo(0.0524, within(1e-4));
     assertThat(difference.interval().greatest()).isCloseTo(0.3339, within(1e-4));
-    assertThat(difference.isShown()).isTrue();
+    assertThat(difference.isShown(100, 0)).isTrue();
     assertThat(difference.text(100, 0)).isEqualTo("+20 (+5 to +33)");
-    assertThat(Difference.ofShares(new Share(0, 0), new Share(1, 1)).isShown()).isFalse();
+    assertThat(Difference.ofShares(new Share(0, 0), new Share(1, 1)).isShown(100, 0)).isFalse();
   }
 
   @Test
@@ -69,10 +69,22 @@ class MeasuringTest {
 
     assertThat(difference.value()).isEqualTo(4);
     assertThat(difference.interval()).isEqualTo(Interval.ofMean(Spread.of(2, 4, 6)));
-    assertThat(difference.isShown()).as("4 +- 5").isFalse();
-    assertThat(Difference.ofPairs(List.of(1.0), List.of(2.0)).isShown()).as("one pair").isFalse();
+    assertThat(difference.isShown(1, 1)).as("4 +- 5").isFalse();
+    assertThat(Difference.ofPairs(List.of(1.0), List.of(2.0)).isShown(1, 1))
+        .as("one pair")
+        .isFalse();
     assertThat(Difference.ofPairs(List.of(1.0), List.of(2.0)).text(1, 1)).isEqualTo("+1.0");
     assertThat(Difference.ofPairs(List.of(), List.of()).text(1, 1)).isEmpty();
+  }
+
+  @Test
+  void whatIsTooSmallToBePrintedIsNotShown() {
+    Difference difference =
+        Difference.ofPairs(List.of(9.40, 9.41, 9.42), List.of(9.42, 9.43, 9.441));
+
+    assertThat(difference.text(1, 1)).isEqualTo("0.0 (0.0 to 0.0)");
+    assertThat(difference.isShown(1, 1)).isFalse();
+    assertThat(difference.isShown(1, 2)).isTrue();
   }
 
   @Test
