@@ -57,11 +57,11 @@ class FacePageTest {
 
         // The kitchen's camera, on the living room's screen (ADE, 3.3; A44).
         browser.open(home.uri() + "/stream.html#cam-kitchen");
-        browser.waitForText("#nothing", "the kitchen's camera streams nothing now");
+        browser.waitForText("#nothing", "The kitchen's camera streams nothing now");
         home.post("/members/cam-kitchen/calls", STREAM);
         browser.waitForText("#told", "captured at");
         home.post("/members/cam-kitchen/calls", STOP);
-        browser.waitForText("#nothing", "the kitchen's camera streams nothing now");
+        browser.waitForText("#nothing", "The kitchen's camera streams nothing now");
         assertThat(browser.complaints()).isEmpty();
       }
     }

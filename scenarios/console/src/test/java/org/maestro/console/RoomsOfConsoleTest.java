@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 
@@ -40,6 +41,7 @@ class RoomsOfConsoleTest {
 
   /** The same dialogue with one voice for the whole home, by its file (A88). */
   @Test
+  @Tag("full")
   void aHomeWithoutPersonasSpeaksWithOneVoice() throws Exception {
     try (ServedHome home =
         ServedHome.startRooms(text -> text.replaceAll("; maestro:persona \"[^\"]*\"", ""))) {

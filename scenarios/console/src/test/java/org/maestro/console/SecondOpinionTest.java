@@ -15,6 +15,7 @@ import java.util.stream.StreamSupport;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.maestro.console.opinion.ChatCompletions;
 import org.maestro.console.opinion.Model;
@@ -157,6 +158,7 @@ class SecondOpinionTest {
    * What a real model is worth is for a benchmark; that nothing is done on its word is seen here.
    */
   @Test
+  @Tag("full")
   void whateverASmallModelSaysIsAskedBackOrLeft() throws Exception {
     Optional<SmallModel> small = SmallModel.start();
     assumeTrue(

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -39,6 +40,7 @@ class AnswerCommandTest {
   }
 
   @Test
+  @Tag("full")
   void aQuestionOutlivesThePlatformAndItsAnswerToo() throws Exception {
     String home = home().toString();
     String data = directory.resolve("data").toString();

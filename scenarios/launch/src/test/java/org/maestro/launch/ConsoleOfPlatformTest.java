@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -113,6 +114,7 @@ class ConsoleOfPlatformTest {
 
   /** Lines that come in are said one after the other, each when the one before is answered. */
   @Test
+  @Tag("full")
   void linesOfAPipeAreSaidOneAfterTheOther() throws Exception {
     try (JavaProcess platform = run("--console", "0")) {
       await(platform, SERVED);
@@ -188,6 +190,7 @@ class ConsoleOfPlatformTest {
 
   /** It was killed, and its port is another's now; what runs is asked in the other way. */
   @Test
+  @Tag("full")
   void whereItsConsoleDoesNotAnswerThePlatformIsAskedAllTheSame() throws Exception {
     try (JavaProcess platform = run("--console", "0")) {
       String console = await(platform, SERVED);

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.spi.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -25,6 +26,7 @@ class DemoScriptTest {
   @TempDir Path checkout;
 
   @Test
+  @Tag("full")
   void bobGetsHisCup() throws Exception {
     Path script = installed();
     Path runtime = checkout.resolve("run");

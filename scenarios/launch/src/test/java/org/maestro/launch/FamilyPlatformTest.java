@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.awaitility.Awaitility;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -20,6 +21,7 @@ class FamilyPlatformTest {
   @TempDir private Path directory;
 
   @Test
+  @Tag("full")
   void aChildIsToldHowFarItMayGoAndAParentIsObeyed() throws Exception {
     try (JavaProcess platform =
         maestro(List.of("run", "evening", "--port", "0", "--speed", "20", "--console", "0"))) {

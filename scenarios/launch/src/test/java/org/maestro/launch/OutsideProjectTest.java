@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,6 +32,7 @@ class OutsideProjectTest {
   @TempDir private Path directory;
 
   @Test
+  @Tag("full")
   void theProjectOfTheGuidePassesWithTheInstalledArtifactsAlone() throws Exception {
     Path project = directory.resolve("project");
     write(project);

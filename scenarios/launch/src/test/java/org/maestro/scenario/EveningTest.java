@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.maestro.assembly.PastDays;
@@ -54,6 +55,7 @@ class EveningTest {
   }
 
   @Test
+  @Tag("full")
   void afterAWineDinnerGoesOnAndNobodyIsAsked() {
     try (EveningStage evening = comingHome()) {
       Stage stage = evening.stage();

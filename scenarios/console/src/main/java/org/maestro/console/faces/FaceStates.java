@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
@@ -37,8 +38,23 @@ public final class FaceStates implements Source {
 
   /**
    * @param facts empty once it is gone
+   * @param sentences how many it has begun to say
+   * @param sentence the last of them, as a fact; "" before there is any
    */
-  private record Told(long number, List<String> facts) {}
+  private record Told(long number, List<String> facts, int sentences, String sentence) {
+    static final Told NOTHING = new Told(0, List.of(), 0, "");
+
+    /** A sentence that goes on is not begun again. */
+    Told then(long number, List<String> facts) {
+      String said = saying(facts).orElse(sentence);
+      boolean isBegun = saying(facts).isPresent() && !saying(facts).equals(saying(this.facts));
+      return new Told(number, List.copyOf(facts), sentences + (isBegun ? 1 : 0), said);
+    }
+
+    private static Optional<String> saying(List<String> facts) {
+      return facts.stream().filter(fact -> fact.startsWith("(isSaying ")).findFirst();
+    }
+  }
 
   /**
    * @param rights of all who look
@@ -82,9 +98,10 @@ public final class FaceStates implements Source {
   }
 
   private synchronized void keep(String member, List<String> facts) {
-    if (!Optional.ofNullable(toldBy.get(member)).map(Told::facts).equals(Optional.of(facts))) {
+    Told before = toldBy.get(member);
+    if (before == null || !before.facts().equals(facts)) {
       latest++;
-      toldBy.put(member, new Told(latest, List.copyOf(facts)));
+      toldBy.put(member, (before == null ? Told.NOTHING : before).then(latest, facts));
     }
   }
 
@@ -100,19 +117,25 @@ public final class FaceStates implements Source {
     toldBy.forEach(
         (member, told) -> {
           if (told.number() > after && told.number() <= last) {
-            add(JsonMembers.in(faces), member, told.facts());
+            add(JsonMembers.in(faces), member, told);
           }
         });
     return document.node();
   }
 
-  private void add(JsonMembers row, String member, List<String> facts) {
+  private void add(JsonMembers row, String member, Told told) {
     row.text("member", member)
         .text("label", ShownText.of(label(member)))
-        .truth("there", !facts.isEmpty());
-    ArrayNode told = row.node().putArray("facts");
+        .truth("there", !told.facts().isEmpty());
+    ArrayNode facts = row.node().putArray("facts");
     ReadingRights all = rights.get();
-    facts.stream().filter(all::mayReadFact).forEach(fact -> told.add(FactsDocument.parts(fact)));
+    told.facts().stream()
+        .filter(all::mayReadFact)
+        .forEach(fact -> facts.add(FactsDocument.parts(fact)));
+    row.number("sentences", OptionalInt.of(told.sentences()));
+    if (!told.sentence().isEmpty() && all.mayReadFact(told.sentence())) {
+      row.text("sentence", FactsDocument.parts(told.sentence()).at("/arguments/1").asText());
+    }
   }
 
   private String label(String member) {

@@ -33,7 +33,7 @@ const faces = new Map();
 const labels = new Map();
 let chosen = "";
 let leave = () => {};
-let spoken = null;
+let begun = null;
 let forgetting = 0;
 let hasSound = false;
 
@@ -56,28 +56,31 @@ function inWords(face) {
   return what.length === 0 && face.persona === null ? "Nobody has spoken here yet." : what.join(", ");
 }
 
-function speak(face) {
+function speak(face, sentence) {
   if (!hasSound || !("speechSynthesis" in window)) {
     return;
   }
-  const sound = new SpeechSynthesisUtterance(face.saying);
+  const sound = new SpeechSynthesisUtterance(sentence);
   sound.rate = 1 + 0.25 * face.stress;
   sound.pitch = 0.85 + (mark(face.persona ?? "") % 5) * 0.08 + 0.3 * face.stress;
   speechSynthesis.speak(sound);
 }
 
-function tellSentence(face) {
+/** One that was over before it was told is shown all the same; of those before this page was opened none is. */
+function tellSentence(face, { sentences, sentence }) {
   const bubble = byId("sentence");
-  if (face.saying !== null && face.saying !== spoken) {
-    speak(face);
-    bubble.textContent = face.saying;
-  }
   const isOver = face.saying === null;
-  if (!isOver) {
+  const isBegun = sentence !== undefined && (begun === null ? !isOver : sentences !== begun);
+  if (isBegun) {
+    speak(face, sentence);
+    bubble.textContent = sentence;
+    bubble.hidden = false;
+  }
+  if (!isOver || isBegun) {
     clearTimeout(forgetting);
     forgetting = 0;
-    bubble.hidden = false;
-  } else if (spoken !== null) {
+  }
+  if (isOver && forgetting === 0 && !bubble.hidden) {
     forgetting = setTimeout(() => {
       bubble.hidden = true;
       byId("stage").classList.remove("speaks");
@@ -85,7 +88,7 @@ function tellSentence(face) {
   }
   bubble.classList.toggle("over", isOver);
   byId("stage").classList.toggle("speaks", !bubble.hidden);
-  spoken = face.saying;
+  begun = sentences;
 }
 
 function drawFace(told) {
@@ -97,7 +100,7 @@ function drawFace(told) {
   byId("doing").textContent = words;
   byId("face").setAttribute("aria-label", `${face.persona ?? "A face"}: ${words || "is calm"}`);
   show(face);
-  tellSentence(face);
+  tellSentence(face, told);
 }
 
 function drawChoice() {
@@ -131,6 +134,7 @@ function follow() {
   leave();
   chosen = decodeURIComponent(location.hash.slice(1));
   faces.clear();
+  begun = null;
   leave = listen("faces", (news) => {
     news.faces.forEach((told) => faces.set(told.member, told));
     drawAll();
