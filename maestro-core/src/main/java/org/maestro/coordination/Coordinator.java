@@ -568,6 +568,11 @@ public final class Coordinator {
     appraisals.knowledgeChanged(changed);
   }
 
+  /** Whether a goal is not over; any thread may ask. */
+  public boolean isAtWork() {
+    return activeGoals.isAny();
+  }
+
   private boolean isOfADevice(Source source) {
     return source.kind() == Source.Kind.DESCRIBED
         && ports.knowledge().home().devices().containsKey(source.agent());

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.maestro.agents.calls.OwnMember;
 import org.maestro.agents.content.ArbitrationWords;
@@ -50,6 +51,7 @@ public final class Deliberation {
   private final MaestroAgent agent;
   private final Clock clock;
   private final ReasoningServices mind;
+  private final Predicate<String> scope;
   private final Faces faces;
   private final Contracts contracts = new Contracts();
   private final AclActionDispatcher dispatcher;
@@ -74,6 +76,7 @@ public final class Deliberation {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
+    this.scope = member -> true;
     this.faces = faces;
     Clients clients = new Clients(mind.knowledge(), this::requester, misconduct);
     this.dispatcher =
@@ -89,6 +92,7 @@ public final class Deliberation {
    * Of an agent with goals of its own.
    *
    * @param prefix before its goals' numbers
+   * @param scope the members with which it plans
    * @param own the member that is the agent's own; empty: it orders other agents
    * @param faces at which it is seen while it speaks
    */
@@ -99,12 +103,14 @@ public final class Deliberation {
       Story story,
       Journal journal,
       String prefix,
+      Predicate<String> scope,
       ProtocolViolations misconduct,
       Optional<OwnMember> own,
       Faces faces) {
     this.agent = agent;
     this.clock = clock;
     this.mind = mind;
+    this.scope = scope;
     this.faces = faces;
     this.dispatcher =
         new AclActionDispatcher(
@@ -159,12 +165,16 @@ public final class Deliberation {
     return coordinator.requester(goalId);
   }
 
-  /** From now on what changes in the collective knowledge is noticed. */
+  /**
+   * From now on what changes in the collective knowledge is noticed. While there is no goal, that is
+   * what members with which it plans have told: of a thousand agents without a goal, none is to wake
+   * for what the other thousand say.
+   */
   public void begin() {
     mind.knowledge()
         .watch(
             change -> {
-              if (!ended) {
+              if (!ended && (coordinator.isAtWork() || scope.test(change.source().agent()))) {
                 agent.tell(() -> coordinator.knowledgeChanged(change));
               }
             });

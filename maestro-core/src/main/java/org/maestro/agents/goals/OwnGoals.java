@@ -98,6 +98,7 @@ public final class OwnGoals {
             entry -> told(entry, story),
             journal,
             prefix,
+            scope,
             (goal, sentence) -> LOG.warn("{}: {}", goal, sentence),
             member,
             faces);

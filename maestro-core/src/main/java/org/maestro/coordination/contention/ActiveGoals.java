@@ -40,6 +40,7 @@ public final class ActiveGoals {
   private final Appraisals appraisals;
   private final OtherManagers otherManagers;
   private boolean atWork;
+  private volatile boolean any;
 
   /**
    * @param appraisals of the same goals
@@ -75,6 +76,7 @@ public final class ActiveGoals {
 
   public void enter(ActiveGoal pursuit, GoalPriority standing) {
     pursuits.put(pursuit.id(), pursuit);
+    any = true;
     leases.enter(pursuit.id(), appraisals.graded(pursuit.id(), standing));
   }
 
@@ -120,7 +122,13 @@ public final class ActiveGoals {
   /** It is over. */
   public void leave(String goal) {
     pursuits.remove(goal);
+    any = !pursuits.isEmpty();
     leases.leave(goal);
+  }
+
+  /** Whether there is one; any thread may ask. */
+  public boolean isAny() {
+    return any;
   }
 
   public Optional<ActiveGoal> find(String goal) {

@@ -7,12 +7,14 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.maestro.bench.BenchReport;
 
 /**
  * Many agents in one process: all are made, described and answer, and none takes much room. How
  * soon is measured by {@code ./maestro bench agents}.
  */
+@Isolated("it measures the heap of its process")
 class AgentsBenchTest {
   private static final double MOST_KIBIBYTES = 40;
 
