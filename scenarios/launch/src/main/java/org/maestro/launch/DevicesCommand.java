@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.OpenFiles;
-import org.maestro.assembly.SiteBus;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.PacedClock;
@@ -25,7 +24,7 @@ final class DevicesCommand implements Callable<Integer> {
 
   @Mixin private SimulationOptions simulation;
 
-  @Mixin private SiteOptions site;
+  @Mixin private SiteOptions options;
 
   @Option(names = "--only", split = ",", paramLabel = "ID", description = "Only these devices.")
   private List<String> only = List.of();
@@ -37,18 +36,18 @@ final class DevicesCommand implements Callable<Integer> {
     Set<String> wanted = new LinkedHashSet<>(only);
     wanted.forEach(id -> HomeDevice.named(id, loaded));
     OpenFiles.requireFor(wanted.isEmpty() ? loaded.devices().size() : wanted.size());
-    SiteBus bus =
-        site.bus((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());
+    SiteOptions.Found site =
+        options.join((wanted.isEmpty() ? loaded.devices().keySet() : wanted).iterator().next());
     SimulatedHome.Setup setup =
         new SimulatedHome.Setup(
                 loaded,
                 simulation.scene(loaded, "A home of your own needs --scene FILE."),
                 clock,
                 simulation.seed(),
-                bus.transports(),
+                site.bus().transports(),
                 site.name(),
                 new DescriptionWriter(loaded)::write)
-            .withPolicy(bus.policy());
+            .withPolicy(site.bus().policy());
     SimulatedHome simulated = SimulatedHome.start(wanted.isEmpty() ? setup : setup.only(wanted));
     UntilStopped.run(
         spec.commandLine().getOut(),

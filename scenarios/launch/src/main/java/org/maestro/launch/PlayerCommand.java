@@ -3,7 +3,6 @@ package org.maestro.launch;
 import java.net.InetSocketAddress;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.PlayerRobot;
-import org.maestro.assembly.SiteBus;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.hal.player.PlayerConnection;
 import org.maestro.hal.wheels.Stance;
@@ -59,7 +58,7 @@ final class PlayerCommand implements Callable<Integer> {
       description = "Where the robot stands and looks now, in the home's frame.")
   private String at;
 
-  @Mixin private SiteOptions site;
+  @Mixin private SiteOptions options;
 
   @Override
   public Integer call() throws InterruptedException {
@@ -67,12 +66,12 @@ final class PlayerCommand implements Callable<Integer> {
     Device device = HomeDevice.named(robot, loaded);
     Stance place = HomeDevice.standing(at);
     Endpoint endpoint = Endpoint.parse(server);
-    SiteBus bus = site.bus(robot);
+    SiteOptions.Found site = options.join(robot);
     try (PacedClock clock = new PacedClock(1);
         PlayerConnection connection =
             PlayerConnection.open(new InetSocketAddress(endpoint.host(), endpoint.port()), base);
         PlayerRobot member =
-            PlayerRobot.start(loaded, device, connection, place, site.name(), bus, clock)) {
+            PlayerRobot.start(loaded, device, connection, place, site.name(), site.bus(), clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "The robot behind %s is %s on %s.".formatted(server, robot, site.broker()),

@@ -12,7 +12,6 @@ import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.RosDevices;
 import org.maestro.assembly.RosPart;
-import org.maestro.assembly.SiteBus;
 import org.maestro.device.tasks.DeviceSetupException;
 import org.maestro.hal.ros.RosBridge;
 import org.maestro.hal.ros.RosCamera;
@@ -95,7 +94,7 @@ final class RosCommand implements Callable<Integer> {
       description = "What ROS calls the home's frame; default ${DEFAULT-VALUE}.")
   private String frame;
 
-  @Mixin private SiteOptions site;
+  @Mixin private SiteOptions options;
 
   @Override
   public Integer call() throws InterruptedException {
@@ -103,10 +102,10 @@ final class RosCommand implements Callable<Integer> {
     List<RosPart> parts = parts(loaded);
     URI uri = uri();
     RosVersion types = types();
-    SiteBus bus = site.bus(parts.get(0).device().id());
+    SiteOptions.Found site = options.join(parts.get(0).device().id());
     try (PacedClock clock = new PacedClock(1);
         RosBridge bridge = RosBridge.open(uri, types);
-        RosDevices devices = RosDevices.start(loaded, bridge, parts, site.name(), bus, clock)) {
+        RosDevices devices = RosDevices.start(loaded, bridge, parts, site.name(), site.bus(), clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "What %s tells of %s joins %s."

@@ -1,44 +1,95 @@
 package org.maestro.launch;
 
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import org.maestro.assembly.SiteBus;
-import picocli.CommandLine.Mixin;
+import org.maestro.rats.security.SiteSecurity;
 import picocli.CommandLine.Option;
 
-/** The site that devices of a process of their own join, as several commands take it. */
+/**
+ * The site of whose bus a command takes part without a platform's help: that of the platform that
+ * runs here, unless one is named.
+ */
 final class SiteOptions {
-  @Mixin private SecurityOptions security;
+  private static final String USUAL_SITE = "maestro";
 
   @Option(
       names = "--broker",
       paramLabel = "URI",
-      required = true,
-      description = "The site's MQTT 5 broker, tcp://HOST:PORT.")
-  private String broker;
+      description =
+          "The site's MQTT 5 broker, tcp://HOST:PORT; without: that of the platform that runs here.")
+  private Optional<String> broker = Optional.empty();
 
   @Option(
       names = "--site",
       paramLabel = "NAME",
-      defaultValue = "maestro",
-      description = "The platform's name; default ${DEFAULT-VALUE}.")
-  private String name;
+      description = "The platform's name; with --broker, maestro unless it is said.")
+  private Optional<String> site = Optional.empty();
 
-  /** As it was typed. */
-  String broker() {
-    return broker;
-  }
-
-  String name() {
-    return name;
-  }
+  @Option(
+      names = "--security",
+      paramLabel = "DIR",
+      description =
+          "The files of a secured site, made by ./maestro secure; a platform that runs here tells where they are.")
+  private Optional<Path> security = Optional.empty();
 
   /**
-   * Makes sure that the broker is there, and lets a member in.
+   * A site's bus that was found.
+   *
+   * @param name the site's
+   */
+  record Found(SiteBus bus, String name, URI broker, boolean isSecured) {}
+
+  /**
+   * Finds it, and makes sure that the broker is there and lets a member in.
    *
    * @param member one of those that are to join
    */
-  SiteBus bus(String member) {
-    SiteBus bus = new SiteBus(Endpoint.broker(broker), name, security.files());
-    bus.requireLetIn(member);
-    return bus;
+  Found join(String member) {
+    Found site = find();
+    site.bus().requireLetIn(member);
+    return site;
+  }
+
+  Found find() {
+    if (broker.isPresent()) {
+      return found(Endpoint.broker(broker.get()), site.orElse(USUAL_SITE), security);
+    }
+    RuntimeDirectory.Running running = running();
+    URI uri =
+        running
+            .broker()
+            .map(Endpoint::broker)
+            .orElseThrow(
+                () ->
+                    CommandException.outside(
+                        "The platform %s has no broker that others reach; name one with --broker."
+                            .formatted(running.name())));
+    return found(uri, running.name(), security.or(() -> running.security().map(Path::of)));
+  }
+
+  private RuntimeDirectory.Running running() {
+    List<RuntimeDirectory.Running> all =
+        RuntimeDirectory.ofUser().running().stream()
+            .filter(one -> site.isEmpty() || site.get().equals(one.name()))
+            .toList();
+    if (all.isEmpty()) {
+      throw CommandException.outside(
+          "No platform of that name runs here; start one, or name its broker with --broker URI.");
+    }
+    if (all.size() > 1) {
+      throw CommandException.badInput(
+          "Several platforms run (%s); choose one with --site NAME."
+              .formatted(
+                  String.join(", ", all.stream().map(RuntimeDirectory.Running::name).toList())));
+    }
+    return all.get(0);
+  }
+
+  private static Found found(URI uri, String site, Optional<Path> files) {
+    Optional<SiteSecurity> opened = files.map(SiteSecurity::open);
+    return new Found(new SiteBus(uri, site, opened), site, uri, opened.isPresent());
   }
 }

@@ -36,7 +36,7 @@ final class StreamCommand implements Callable<Integer> {
   private static final double LONGEST_SECONDS = 7 * 24 * 3600;
 
   @Spec private CommandSpec spec;
-  @Mixin private BusOptions options;
+  @Mixin private SiteOptions options;
 
   @Parameters(
       paramLabel = "MEMBER",
@@ -131,8 +131,7 @@ final class StreamCommand implements Callable<Integer> {
 
   private void replay(Path from, String id) throws InterruptedException {
     Recording recording = Recording.read(from);
-    BusOptions.Found site = options.find();
-    site.bus().requireLetIn(id);
+    SiteOptions.Found site = options.join(id);
     try (PacedClock clock = new PacedClock(1);
         RatsMember playing =
             StreamMember.replaying(
@@ -140,7 +139,7 @@ final class StreamCommand implements Callable<Integer> {
                 id,
                 site.bus().policy(),
                 site.bus().transports().apply(id),
-                site.site(),
+                site.name(),
                 clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
@@ -151,7 +150,7 @@ final class StreamCommand implements Callable<Integer> {
   }
 
   private void receive(String from) throws InterruptedException {
-    BusOptions.Found site = options.find();
+    SiteOptions.Found site = options.find();
     String receiver =
         user.orElse(
             site.isSecured() ? USUAL_USER : USUAL_USER + "-" + ProcessHandle.current().pid());
@@ -170,7 +169,7 @@ final class StreamCommand implements Callable<Integer> {
                       id,
                       site.bus().policy(),
                       site.bus().transports().apply(id),
-                      site.site(),
+                      site.name(),
                       clock));
       StreamReception reception =
           new StreamReception(
@@ -182,7 +181,7 @@ final class StreamCommand implements Callable<Integer> {
           StreamReceiver.open(
               wanted,
               receiver,
-              site.site(),
+              site.name(),
               site.bus().transports().apply(receiver),
               clock,
               site.bus().kind(),

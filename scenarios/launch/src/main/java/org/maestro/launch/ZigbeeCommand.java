@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.maestro.assembly.HomeLamps;
-import org.maestro.assembly.SiteBus;
 import org.maestro.rats.gateway.ZigbeeBridge;
 import org.maestro.rats.time.PacedClock;
 import org.maestro.rats.transport.PahoTransport;
@@ -28,7 +27,7 @@ final class ZigbeeCommand implements Callable<Integer> {
   @Parameters(paramLabel = "HOME.ttl", description = "A home file, or a shipped home: bob, arena.")
   private String home;
 
-  @Mixin private SiteOptions site;
+  @Mixin private SiteOptions options;
 
   @Option(
       names = "--gateway",
@@ -54,13 +53,13 @@ final class ZigbeeCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     HomeLamps role = role();
     URI zigbee = Endpoint.broker(gateway);
-    SiteBus bus = site.bus(role.ids().get(0));
+    SiteOptions.Found site = options.join(role.ids().get(0));
     try (PacedClock clock = new PacedClock(1);
         ZigbeeBridge bridge =
             ZigbeeBridge.start(
                 base,
                 new PahoTransport(zigbee, site.name() + "-zigbee"),
-                new ZigbeeBridge.Site(site.name(), bus.transports(), bus.policy()),
+                new ZigbeeBridge.Site(site.name(), site.bus().transports(), site.bus().policy()),
                 role,
                 clock)) {
       UntilStopped.run(
