@@ -86,6 +86,30 @@ class DirectedRobotTest {
     assertThat(place()).isEqualTo(new Point2(3, 3));
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"differential-robot", "mecanum-robot"})
+  void itGoesToAPositionAndLooksWhereItIsTold(String driver) {
+    close();
+    homes = exploration(driver);
+    Result there = call("goTo", Map.of("x", 5, "y", 4, "heading", 270));
+
+    assertThat(there.values())
+        .containsEntry("reachedX", 5.0)
+        .containsEntry("reachedY", 4.0)
+        .containsEntry("facing", 270.0);
+    assertThat(place().distance(new Point2(5, 4))).isLessThan(0.05);
+    assertThat(homes.facts(ROVER)).contains("(= (heading rover) 270)");
+  }
+
+  @Test
+  void whereNoPlaceIsItDoesNotGo() {
+    Result refused = call("goTo", Map.of("x", 500, "y", 4));
+
+    assertThat(refused.error().orElseThrow().message())
+        .isEqualTo("The position (500, 4) is in none of the places that are on the map.");
+    assertThat(place()).isEqualTo(new Point2(3, 3));
+  }
+
   @Test
   void beforeWhatIsInItsWayItStandsStillAndSaysSo() {
     Result without = call("drive", Map.of());

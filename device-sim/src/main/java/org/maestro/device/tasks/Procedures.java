@@ -58,6 +58,7 @@ public final class Procedures {
     kinds.put("recharge", new Kind("charging", RechargeTask::new));
     kinds.put(TURN, new Kind("turning", TurnTask::new));
     kinds.put(DRIVE, new Kind("driving", DriveTask::new));
+    kinds.put("goTo", new Kind("driving", GoToTask::new));
     kinds.put("halt", new Kind("halting", HaltTask::new));
     kinds.put("readSignal", new Kind("measuring", ReadSignal::new));
     kinds.put(TRANSMIT, new Kind("transmitting", TransmitTask::new));
