@@ -123,7 +123,8 @@ final class GoToTask extends DeviceProcedure {
         .map(
             way -> {
               OptionalDouble heading = parameters.optionalNumber("heading");
-              // Where it will look when it gets there is known on the way alone: half a turn at most.
+              // Where it will look when it gets there is known on the way alone: half a turn at
+              // most.
               double turning = heading.isPresent() ? Math.PI / 2 / steering.turnSpeed() : 0;
               double seconds = robot.seconds(way) + turning;
               return price(seconds, seconds * robot.base().power());

@@ -166,9 +166,9 @@ public final class Deliberation {
   }
 
   /**
-   * From now on what changes in the collective knowledge is noticed. While there is no goal, that is
-   * what members with which it plans have told: of a thousand agents without a goal, none is to wake
-   * for what the other thousand say.
+   * From now on what changes in the collective knowledge is noticed. While there is no goal, that
+   * is what members with which it plans have told: of a thousand agents without a goal, none is to
+   * wake for what the other thousand say.
    */
   public void begin() {
     mind.knowledge()

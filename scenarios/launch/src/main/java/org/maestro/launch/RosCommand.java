@@ -105,7 +105,8 @@ final class RosCommand implements Callable<Integer> {
     SiteOptions.Found site = options.join(parts.get(0).device().id());
     try (PacedClock clock = new PacedClock(1);
         RosBridge bridge = RosBridge.open(uri, types);
-        RosDevices devices = RosDevices.start(loaded, bridge, parts, site.name(), site.bus(), clock)) {
+        RosDevices devices =
+            RosDevices.start(loaded, bridge, parts, site.name(), site.bus(), clock)) {
       UntilStopped.run(
           spec.commandLine().getOut(),
           "What %s tells of %s joins %s."
