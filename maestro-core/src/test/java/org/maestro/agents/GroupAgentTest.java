@@ -10,11 +10,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.maestro.knowledge.api.ForwardingKnowledge;
+import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Group;
+import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 
 /** What an agent that stands for a group does when another agent takes the place of a member's. */
@@ -35,15 +41,12 @@ class GroupAgentTest {
   @BeforeEach
   void gather() {
     society = STAGE.society();
+    keeper = society.group(usherThat(List.of(SlParser.formula("(keep (greeted Bob))"))));
+  }
+
+  private static Group usherThat(List<Formula> pursues) {
     Individual itself = new Individual("keeper", "urn:keeper", "the keeper", Set.of(), Map.of());
-    keeper =
-        society.group(
-            new Group(
-                itself,
-                Optional.empty(),
-                Set.of("usher"),
-                Optional.empty(),
-                List.of(SlParser.formula("(keep (greeted Bob))"))));
+    return new Group(itself, Optional.empty(), Set.of("usher"), Optional.empty(), pursues);
   }
 
   @Test
@@ -89,6 +92,41 @@ class GroupAgentTest {
     society.await(() -> done.contains(THERE), SOON);
 
     assertThat(refused).isEmpty();
+  }
+
+  /** Of a thousand agents without a goal, none looks at what the other thousand say. */
+  @Test
+  void withoutAGoalItDoesNotWakeForWhatOthersTell() {
+    AtomicInteger looks = new AtomicInteger();
+    KnowledgeBase seen =
+        new ForwardingKnowledge(society.knowledge()) {
+          @Override
+          public Home home() {
+            looks.incrementAndGet();
+            return super.home();
+          }
+        };
+    society.add("usher", living(HERE, Duration.ofSeconds(1)));
+    society.start("keeper", society.group(usherThat(List.of()), seen));
+    society.pass(Duration.ofSeconds(15));
+    int before = looks.get();
+
+    for (int i = 0; i < 20; i++) {
+      describes("butler", i);
+    }
+    society.pass(Duration.ofSeconds(1));
+    assertThat(looks).hasValue(before);
+
+    describes("usher", 0);
+    society.await(() -> looks.get() > before, SOON);
+  }
+
+  private void describes(String device, int time) {
+    society
+        .knowledge()
+        .state(
+            new Source(Source.Kind.DESCRIBED, device),
+            List.of(time % 2 == 0 ? "(greeted Bob)" : "(not (greeted Bob))"));
   }
 
   /** As the platform tells of it. */

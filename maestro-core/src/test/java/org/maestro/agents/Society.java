@@ -30,6 +30,7 @@ import org.maestro.coordination.api.Reasoner;
 import org.maestro.coordination.api.StoryEntry;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.knowledge.CollectiveKnowledge;
+import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
@@ -117,6 +118,13 @@ public final class Society implements AutoCloseable {
 
   /** An agent with goals of its own, for that group; it has not begun yet. */
   GroupAgent group(Group group) {
+    return group(group, knowledge);
+  }
+
+  /**
+   * @param knowledge that of the society, as that agent sees it
+   */
+  GroupAgent group(Group group, KnowledgeBase knowledge) {
     ReasoningServices mind =
         new ReasoningServices(knowledge, new OptimalPlanner(), Duration.ofMillis(20));
     return new GroupAgent(
@@ -128,6 +136,11 @@ public final class Society implements AutoCloseable {
         Past.none(),
         new Dialogues(mind.knowledge()::home, mind.knowledge()::snapshot, time.clock()::instant),
         Spokesmen.BY_NAME);
+  }
+
+  /** What everybody here knows. */
+  KnowledgeBase knowledge() {
+    return knowledge;
   }
 
   /** Somebody has seen that it is so. */

@@ -1,6 +1,7 @@
 package org.maestro.ontology.home;
 
-import jakarta.json.Json;
+import static org.maestro.ontology.home.FeatureWriter.JSON;
+
 import jakarta.json.JsonArrayBuilder;
 import jakarta.json.JsonObject;
 import jakarta.json.JsonObjectBuilder;
@@ -34,7 +35,7 @@ public final class DescriptionWriter {
   /** The description as one JSON-LD document. */
   public String write(Device device) {
     Individual individual = device.individual();
-    JsonObjectBuilder json = Json.createObjectBuilder();
+    JsonObjectBuilder json = JSON.createObjectBuilder();
     json.add("@context", context());
     json.add("id", individual.iri());
     json.add("type", types(individual));
@@ -42,12 +43,12 @@ public final class DescriptionWriter {
     device.container().ifPresent(container -> json.add("container", container));
     device.driver().ifPresent(driver -> json.add("driver", driver));
     for (Map.Entry<String, List<Term>> property : individual.properties().entrySet()) {
-      JsonArrayBuilder values = Json.createArrayBuilder();
+      JsonArrayBuilder values = JSON.createArrayBuilder();
       property.getValue().forEach(value -> add(values, value));
       json.add(property(property.getKey()), values);
     }
     if (!device.pursues().isEmpty()) {
-      JsonArrayBuilder goals = Json.createArrayBuilder();
+      JsonArrayBuilder goals = JSON.createArrayBuilder();
       device.pursues().forEach(goal -> goals.add(SlPrinter.print(goal)));
       json.add("pursues", goals);
     }
@@ -59,7 +60,7 @@ public final class DescriptionWriter {
     if (!device.settings().isEmpty()) {
       json.add("setting", settings(device));
     }
-    JsonArrayBuilder offers = Json.createArrayBuilder();
+    JsonArrayBuilder offers = JSON.createArrayBuilder();
     int order = 1;
     for (FeatureType feature : device.features()) {
       offers.add(features.write(feature, order++));
@@ -70,9 +71,9 @@ public final class DescriptionWriter {
   }
 
   private JsonArrayBuilder settings(Device device) {
-    JsonArrayBuilder json = Json.createArrayBuilder();
+    JsonArrayBuilder json = JSON.createArrayBuilder();
     for (Setting setting : device.settings().values()) {
-      JsonObjectBuilder entry = Json.createObjectBuilder().add("name", setting.name());
+      JsonObjectBuilder entry = JSON.createObjectBuilder().add("name", setting.name());
       Optional.ofNullable(device.reports().get(setting.name()))
           .ifPresent(fact -> entry.add("fact", fact));
       setting.lowest().ifPresent(number -> entry.add("lowest", number));
@@ -82,7 +83,7 @@ public final class DescriptionWriter {
           .atFirst()
           .ifPresent(
               value -> {
-                JsonArrayBuilder values = Json.createArrayBuilder();
+                JsonArrayBuilder values = JSON.createArrayBuilder();
                 add(values, value);
                 entry.add("atFirst", values);
               });
@@ -92,13 +93,13 @@ public final class DescriptionWriter {
   }
 
   private JsonArrayBuilder context() {
-    return Json.createArrayBuilder().add(SourceReader.CONTEXT_IRI);
+    return JSON.createArrayBuilder().add(SourceReader.CONTEXT_IRI);
   }
 
   /** The classes, most special first. */
   private JsonArrayBuilder types(Individual individual) {
     Vocabulary vocabulary = home.vocabulary();
-    JsonArrayBuilder types = Json.createArrayBuilder();
+    JsonArrayBuilder types = JSON.createArrayBuilder();
     individual.classes().stream()
         .sorted(
             Comparator.comparing(
@@ -132,7 +133,7 @@ public final class DescriptionWriter {
     if (value instanceof Term.Name name) {
       Individual named = home.individuals().get(name.text());
       String iri = named == null ? own(name.text()) : named.iri();
-      values.add(Json.createObjectBuilder().add("id", iri));
+      values.add(JSON.createObjectBuilder().add("id", iri));
     } else {
       addLiteral(values, value);
     }

@@ -2,6 +2,7 @@ package org.maestro.ontology.home;
 
 import jakarta.json.Json;
 import jakarta.json.JsonArrayBuilder;
+import jakarta.json.JsonBuilderFactory;
 import jakarta.json.JsonObjectBuilder;
 import java.time.Duration;
 import java.util.List;
@@ -22,6 +23,8 @@ import org.maestro.sl.SlPrinter;
  * else whole.
  */
 final class FeatureWriter {
+  /** Made once: {@link Json} searches all jars for its provider each time that it is asked. */
+  static final JsonBuilderFactory JSON = Json.createBuilderFactory(Map.of());
 
   private static final String XSD = "http://www.w3.org/2001/XMLSchema#";
 
@@ -38,7 +41,7 @@ final class FeatureWriter {
 
   JsonObjectBuilder write(FeatureType feature, int order) {
     FeatureType known = vocabulary.features().get(feature.name());
-    JsonObjectBuilder json = Json.createObjectBuilder();
+    JsonObjectBuilder json = JSON.createObjectBuilder();
     if (known == null) {
       json.add("id", feature.iri());
       json.add("type", Maestro.NAMESPACE + (feature.task() ? "Task" : "Action"));
@@ -64,13 +67,13 @@ final class FeatureWriter {
     json.add("continuous", feature.continuous());
     feature.endedBy().ifPresent(name -> json.add("endedBy", featureIri(name)));
     feature.frequencyHertz().ifPresent(hertz -> json.add("frequency", hertz));
-    json.add("occupies", Json.createArrayBuilder(feature.occupies()));
+    json.add("occupies", JSON.createArrayBuilder(feature.occupies()));
     json.add("claims", claims(feature.claims()));
     json.add("confidence", doubts(feature.doubts()));
     if (feature.cost() instanceof Price.Stated stated) {
       json.add("cost", SlPrinter.print(stated.cost()));
     } else if (feature.cost() instanceof Price.Asked asked) {
-      json.add("cost", Json.createObjectBuilder().add("id", Maestro.NAMESPACE + "asked"));
+      json.add("cost", JSON.createObjectBuilder().add("id", Maestro.NAMESPACE + "asked"));
       json.add("costAtLeast", SlPrinter.print(asked.atLeast()));
     }
     json.add("seconds", SlPrinter.print(feature.seconds()));
@@ -87,17 +90,17 @@ final class FeatureWriter {
   }
 
   static JsonArrayBuilder namedFacts(Map<String, String> facts) {
-    JsonArrayBuilder json = Json.createArrayBuilder();
+    JsonArrayBuilder json = JSON.createArrayBuilder();
     facts.forEach(
-        (name, fact) -> json.add(Json.createObjectBuilder().add("name", name).add("fact", fact)));
+        (name, fact) -> json.add(JSON.createObjectBuilder().add("name", name).add("fact", fact)));
     return json;
   }
 
   private static JsonArrayBuilder claims(List<Claim> claims) {
-    JsonArrayBuilder json = Json.createArrayBuilder();
+    JsonArrayBuilder json = JSON.createArrayBuilder();
     for (Claim claim : claims) {
       json.add(
-          Json.createObjectBuilder()
+          JSON.createObjectBuilder()
               .add("variable", SlPrinter.print(claim.variable()))
               .add("when", SlPrinter.print(claim.when())));
     }
@@ -105,10 +108,10 @@ final class FeatureWriter {
   }
 
   private static JsonArrayBuilder doubts(List<Doubt> doubts) {
-    JsonArrayBuilder json = Json.createArrayBuilder();
+    JsonArrayBuilder json = JSON.createArrayBuilder();
     for (Doubt doubt : doubts) {
       json.add(
-          Json.createObjectBuilder()
+          JSON.createObjectBuilder()
               .add("upTo", doubt.confidence())
               .add("when", SlPrinter.print(doubt.when())));
     }
@@ -116,14 +119,14 @@ final class FeatureWriter {
   }
 
   private JsonArrayBuilder parameters(List<Parameter> parameters) {
-    JsonArrayBuilder json = Json.createArrayBuilder();
+    JsonArrayBuilder json = JSON.createArrayBuilder();
     for (Parameter parameter : parameters) {
-      JsonObjectBuilder entry = Json.createObjectBuilder().add("name", parameter.name());
-      JsonArrayBuilder types = Json.createArrayBuilder();
+      JsonObjectBuilder entry = JSON.createObjectBuilder().add("name", parameter.name());
+      JsonArrayBuilder types = JSON.createArrayBuilder();
       parameter.types().forEach(type -> types.add(typeIri(type)));
-      JsonArrayBuilder values = Json.createArrayBuilder();
+      JsonArrayBuilder values = JSON.createArrayBuilder();
       parameter.oneOf().forEach(value -> DescriptionWriter.addLiteral(values, value));
-      JsonArrayBuilder needs = Json.createArrayBuilder();
+      JsonArrayBuilder needs = JSON.createArrayBuilder();
       parameter.needs().forEach(need -> needs.add(properties.apply(need)));
       json.add(
           entry

@@ -2,10 +2,12 @@ package org.maestro.ontology.validation;
 
 import jakarta.json.Json;
 import jakarta.json.stream.JsonParser;
+import jakarta.json.stream.JsonParserFactory;
 import jakarta.json.stream.JsonParsingException;
 import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** A value of a JSON text with the line at which it begins. Immutable. */
@@ -13,6 +15,9 @@ sealed interface JsonText {
 
   /** So deep a text may be nested; messages may be less. */
   int DEEPEST = 64;
+
+  /** Made once: {@link Json} searches all jars for its provider each time that it is asked. */
+  JsonParserFactory PARSERS = Json.createParserFactory(Map.of());
 
   /** From 1. */
   int line();
@@ -56,7 +61,7 @@ sealed interface JsonText {
    * @throws JsonParsingException when it is no JSON, with the place
    */
   static JsonText parse(String text) {
-    try (JsonParser parser = Json.createParser(new StringReader(text))) {
+    try (JsonParser parser = PARSERS.createParser(new StringReader(text))) {
       if (!parser.hasNext()) {
         throw new JsonParsingException("It is empty", parser.getLocation());
       }

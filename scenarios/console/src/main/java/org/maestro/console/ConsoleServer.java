@@ -48,8 +48,6 @@ final class ConsoleServer implements AutoCloseable {
   /** Under which a stream finds who listens. */
   private static final String VISIT = "visit";
 
-  private static final String EVENTS = "text/event-stream";
-
   /** The parameter by which who listens names what is shown. */
   private static final String CHOSEN = "of";
 
@@ -178,7 +176,7 @@ final class ConsoleServer implements AutoCloseable {
         context -> {
           context.attribute(VISIT, entrance.admit(context, Optional.of(source.needs())));
           String accepted = Objects.requireNonNullElse(context.header(Header.ACCEPT), "");
-          if (!accepted.contains(EVENTS)) {
+          if (!accepted.contains(Operation.EVENTS)) {
             // To whom does not name it, Javalin answers with nothing.
             throw new HttpResponseException(Problems.NOT_ACCEPTABLE);
           }
@@ -298,7 +296,7 @@ final class ConsoleServer implements AutoCloseable {
               .formatted(context.method(), context.path(), Api.ROOT);
       case Problems.NOT_ACCEPTABLE ->
           "%s tells events as they come, and nothing else; ask with the header Accept: %s."
-              .formatted(context.path(), EVENTS);
+              .formatted(context.path(), Operation.EVENTS);
       default -> "It is not answered: " + failure.getMessage() + ".";
     };
   }

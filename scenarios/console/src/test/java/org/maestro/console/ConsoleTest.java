@@ -482,6 +482,8 @@ class ConsoleTest {
     document.path("paths").fieldNames().forEachRemaining(paths::add);
     assertThat(paths)
         .contains("/goals", "/goals/{goal}", "/goals/{goal}/story", "/events", "/safe-state");
+    assertThat(document.at("/paths/~1events/get/responses/406/description").asText())
+        .contains("text/event-stream");
     assertThat(document.findValuesAsText("operationId")).doesNotHaveDuplicates();
     for (String referred : document.findValuesAsText("$ref")) {
       assertThat(document.at(referred.substring(1)).isMissingNode()).as(referred).isFalse();

@@ -54,10 +54,17 @@ final class SiteOptions {
   }
 
   Found find() {
+    return find(RuntimeDirectory.ofUser());
+  }
+
+  /**
+   * @param here what runs on this machine
+   */
+  Found find(RuntimeDirectory here) {
     if (broker.isPresent()) {
       return found(Endpoint.broker(broker.get()), site.orElse(USUAL_SITE), security);
     }
-    RuntimeDirectory.Running running = running();
+    RuntimeDirectory.Running running = running(here);
     URI uri =
         running
             .broker()
@@ -70,9 +77,9 @@ final class SiteOptions {
     return found(uri, running.name(), security.or(() -> running.security().map(Path::of)));
   }
 
-  private RuntimeDirectory.Running running() {
+  private RuntimeDirectory.Running running(RuntimeDirectory here) {
     List<RuntimeDirectory.Running> all =
-        RuntimeDirectory.ofUser().running().stream()
+        here.running().stream()
             .filter(one -> site.isEmpty() || site.get().equals(one.name()))
             .toList();
     if (all.isEmpty()) {

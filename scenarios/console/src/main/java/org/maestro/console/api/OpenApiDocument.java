@@ -146,12 +146,14 @@ public final class OpenApiDocument {
   }
 
   private static void problems(ObjectNode responses) {
-    PROBLEMS.forEach(
-        (status, description) ->
-            refer(
-                responses.putObject(String.valueOf(status)).put("description", description),
-                Operation.JSON,
-                PROBLEM));
+    PROBLEMS.forEach((status, description) -> problem(responses, status, description));
+  }
+
+  private static void problem(ObjectNode responses, int status, String description) {
+    refer(
+        responses.putObject(String.valueOf(status)).put("description", description),
+        Operation.JSON,
+        PROBLEM);
   }
 
   private static void refer(ObjectNode node, String media, String schema) {
@@ -178,9 +180,9 @@ public final class OpenApiDocument {
         .putObject("200")
         .put("description", "Events until either side ends it.")
         .putObject("content")
-        .putObject("text/event-stream")
+        .putObject(Operation.EVENTS)
         .putObject("schema")
         .put("type", "string");
-    problems(responses);
+    problem(responses, 406, "It was asked without the header Accept: " + Operation.EVENTS + ".");
   }
 }

@@ -38,6 +38,9 @@ public record Operation(
   /** The type of what is no JSON but a text with a line for each record (RFC 4180). */
   public static final String CSV = "text/csv";
 
+  /** The type of what goes on until either side ends it: server-sent events. */
+  public static final String EVENTS = "text/event-stream";
+
   static final String JSON = "application/json";
   private static final int OK = 200;
   private static final int NO_CONTENT = 204;
