@@ -1,0 +1,92 @@
+package org.maestro.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** Which site devices, robots and lamps of a process of their own join. */
+class SiteOptionsTest {
+  @TempDir private Path parent;
+  private RuntimeDirectory here;
+
+  @BeforeEach
+  void nothingRuns() {
+    here = RuntimeDirectory.at(parent.resolve("run"));
+  }
+
+  @Test
+  void thePlatformThatRunsHereUnlessAnotherIsNamed() {
+    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
+
+    SiteOptions.Found site = read().find(here);
+
+    assertThat(site.name()).isEqualTo("hall");
+    assertThat(site.broker()).isEqualTo(URI.create("tcp://127.0.0.1:2883"));
+    assertThat(site.isSecured()).isFalse();
+  }
+
+  @Test
+  void aBrokerThatIsNamedIsThatOfMaestroUnlessTheSiteIsNamedToo() {
+    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
+
+    SiteOptions.Found usual = read("--broker", "tcp://127.0.0.1:1883").find(here);
+    SiteOptions.Found other =
+        read("--broker", "tcp://127.0.0.1:1883", "--site", "crater").find(here);
+
+    assertThat(usual.name()).isEqualTo("maestro");
+    assertThat(usual.broker()).isEqualTo(URI.create("tcp://127.0.0.1:1883"));
+    assertThat(other.name()).isEqualTo("crater");
+  }
+
+  @Test
+  void oneOfSeveralIsChosenByName() {
+    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
+    runs("loft", Optional.of("tcp://127.0.0.1:3883"));
+
+    assertThat(read("--site", "loft").find(here).broker())
+        .isEqualTo(URI.create("tcp://127.0.0.1:3883"));
+    assertThatThrownBy(() -> read().find(here))
+        .isInstanceOf(CommandException.class)
+        .hasMessage("Several platforms run (hall, loft); choose one with --site NAME.");
+  }
+
+  @Test
+  void withoutAnyASentenceTellsWhatToDo() {
+    assertThatThrownBy(() -> read().find(here))
+        .isInstanceOf(CommandException.class)
+        .hasMessage(
+            "No platform of that name runs here; start one, or name its broker with --broker URI.");
+    runs("hall", Optional.empty());
+    assertThatThrownBy(() -> read().find(here))
+        .isInstanceOf(CommandException.class)
+        .hasMessage("The platform hall has no broker that others reach; name one with --broker.");
+  }
+
+  private static SiteOptions read(String... arguments) {
+    SiteOptions options = new SiteOptions();
+    new CommandLine(new Any(options)).parseArgs(arguments);
+    return options;
+  }
+
+  @CommandLine.Command(name = "any")
+  private record Any(@CommandLine.Mixin SiteOptions options) {}
+
+  private void runs(String name, Optional<String> broker) {
+    here.add(
+        new RuntimeDirectory.Running(
+            name,
+            ProcessHandle.current().pid(),
+            "127.0.0.1",
+            1099,
+            broker,
+            Optional.empty(),
+            Optional.empty()));
+  }
+}
