@@ -41,6 +41,8 @@ public final class WheeledBase implements MobileBase, Steering {
    * @param radius of the circle around it; metres
    * @param power watts while driving
    * @param controlSeconds between two commands to the wheels
+   * @param delaySeconds from a command to when what comes of it is seen; what is seen later than
+   *     its next command would make it swing about where it aims
    * @param nearMetres so near to a corner it counts as reached
    * @param aimRadians so well aimed, it need not turn more
    */
@@ -50,6 +52,7 @@ public final class WheeledBase implements MobileBase, Steering {
       double radius,
       double power,
       double controlSeconds,
+      double delaySeconds,
       double nearMetres,
       double aimRadians) {}
 
@@ -112,17 +115,27 @@ public final class WheeledBase implements MobileBase, Steering {
     double direction = Math.atan2(corner.y() - here.y(), corner.x() - here.x());
     double off = Math.IEEEremainder(direction - localization.heading(), 2 * Math.PI);
     if (!geometry.isOmnidirectional() && Math.abs(off) > limits.aimRadians()) {
-      double seconds = Math.min(limits.controlSeconds(), Math.abs(off) / limits.turnSpeed());
-      motors.spin(geometry.wheelSpeeds(new Twist(0, 0, Math.signum(off) * limits.turnSpeed())));
-      return seconds;
+      double turnSpeed = slowing(limits.turnSpeed(), Math.abs(off));
+      motors.spin(geometry.wheelSpeeds(new Twist(0, 0, Math.signum(off) * turnSpeed)));
+      return Math.min(limits.controlSeconds(), Math.abs(off) / turnSpeed);
     }
-    double seconds = Math.min(limits.controlSeconds(), distance / limits.speed());
+    double speed = slowing(limits.speed(), distance);
     motors.spin(
         geometry.wheelSpeeds(
             geometry.isOmnidirectional()
-                ? new Twist(limits.speed() * Math.cos(off), limits.speed() * Math.sin(off), 0)
-                : new Twist(limits.speed(), 0, off / limits.controlSeconds())));
-    return seconds;
+                ? new Twist(speed * Math.cos(off), speed * Math.sin(off), 0)
+                : new Twist(speed, 0, off / seenWithin())));
+    return Math.min(limits.controlSeconds(), distance / speed);
+  }
+
+  /** The speed with so much left, such that what is seen late does not take it far beyond. */
+  private double slowing(double speed, double left) {
+    return Math.min(speed, left / (2 * limits.delaySeconds()));
+  }
+
+  /** From a command to the next that knows what came of it; seconds. */
+  private double seenWithin() {
+    return limits.controlSeconds() + limits.delaySeconds();
   }
 
   @Override
@@ -163,7 +176,7 @@ public final class WheeledBase implements MobileBase, Steering {
       return;
     }
     // Slower at its end, so that a command that comes late turns it too far by little.
-    double speed = Math.min(limits.turnSpeed(), Math.abs(now.left()) / limits.controlSeconds());
+    double speed = Math.min(limits.turnSpeed(), Math.abs(now.left()) / seenWithin());
     motors.spin(geometry.wheelSpeeds(new Twist(0, 0, Math.signum(now.left()) * speed)));
     pace.after(limits.controlSeconds(), () -> turnOn(now, completion));
   }

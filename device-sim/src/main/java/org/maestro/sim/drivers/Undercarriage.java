@@ -83,6 +83,7 @@ final class Undercarriage {
             base.radius(),
             base.power(),
             wheels.controlSeconds(),
+            0,
             wheels.nearMetres(),
             wheels.aimRadians()));
   }

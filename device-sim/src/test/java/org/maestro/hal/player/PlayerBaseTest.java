@@ -24,7 +24,7 @@ import org.maestro.rats.time.PacedClock;
 /** A base behind Player's protocol drives as any other does (ADE, 3.3; A40). */
 class PlayerBaseTest {
   private static final WheeledBase.Limits LIMITS =
-      new WheeledBase.Limits(0.8, 2, 0.25, 50, 0.1, 0.05, 0.1);
+      new WheeledBase.Limits(0.8, 2, 0.25, 50, 0.1, 0.1, 0.05, 0.1);
 
   private final PacedClock clock = new PacedClock(1);
 

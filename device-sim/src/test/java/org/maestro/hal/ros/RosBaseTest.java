@@ -25,7 +25,7 @@ import org.maestro.rats.time.PacedClock;
 /** A base behind rosbridge drives as any other does (Three-layered architecture, 4.3; M89). */
 class RosBaseTest {
   private static final WheeledBase.Limits LIMITS =
-      new WheeledBase.Limits(0.8, 2, 0.25, 50, 0.1, 0.05, 0.1);
+      new WheeledBase.Limits(0.8, 2, 0.25, 50, 0.1, 0.1, 0.05, 0.1);
 
   private final PacedClock clock = new PacedClock(1);
   private final DifferentialWheels wheels = new DifferentialWheels(0.1, 0.2);

@@ -60,7 +60,7 @@ class WheeledBaseTest {
             }
           },
           this::later,
-          new WheeledBase.Limits(0.7, Math.PI / 2, 0.3, 80, 0.1, 0.01, 0.05));
+          new WheeledBase.Limits(0.7, Math.PI / 2, 0.3, 80, 0.1, 0, 0.01, 0.05));
 
   private void later(double after, Runnable next) {
     double late = after == 0 ? 0 : after + LATEST_SECONDS * lateness.nextDouble();

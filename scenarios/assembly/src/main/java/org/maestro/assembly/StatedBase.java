@@ -38,6 +38,9 @@ final class StatedBase {
   /** Of the control: seconds between two commands, and how exactly corners are met; assumed. */
   private static final double CONTROL_SECONDS = 0.1;
 
+  /** From a command to when the server tells what came of it; assumed. */
+  private static final double DELAY_SECONDS = 0.1;
+
   private static final double NEAR_METRES = 0.05;
   private static final double AIM_RADIANS = 0.1;
 
@@ -96,6 +99,7 @@ final class StatedBase {
             stated("bodyRadius", USUAL_RADIUS),
             POWER,
             CONTROL_SECONDS,
+            DELAY_SECONDS,
             NEAR_METRES,
             AIM_RADIANS));
   }

@@ -1,6 +1,7 @@
 package org.maestro.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,12 +55,17 @@ class PlayerCommandTest {
           .atMost(Duration.ofMinutes(2))
           .untilAsserted(
               () ->
-                  assertThat(driven(link).outcome())
+                  assertThat(called(link, "drive", Map.of("metres", 0.5)).outcome())
                       .as(command::said)
                       .isEqualTo(Outcome.SUCCEEDED));
 
       assertThat(server.commands()).as("metres and radians a second").contains("0.50 0.00");
       Awaitility.await().atMost(Duration.ofSeconds(30)).until(() -> said(link).contains("plain"));
+      Result there = called(link, "goTo", Map.of("x", 3, "y", 3, "heading", 0));
+      assertThat(there.outcome()).as(there.toString()).isEqualTo(Outcome.SUCCEEDED);
+      assertThat(number(there, "reachedX")).isCloseTo(3, within(0.2));
+      assertThat(number(there, "reachedY")).isCloseTo(3, within(0.2));
+      assertThat(number(there, "facing")).isCloseTo(0, within(5.0));
       assertThat(command.said()).contains("is rover on").doesNotContain("rror");
     }
   }
@@ -85,15 +91,13 @@ class PlayerCommandTest {
         .anyMatch(m -> m.phase() == MemberStatus.Phase.READY && m.state().isPresent());
   }
 
-  private static Result driven(RatsLink link) {
+  private static double number(Result result, String name) {
+    return ((Number) result.values().get(name)).doubleValue();
+  }
+
+  private static Result called(RatsLink link, String feature, Map<String, Object> parameters) {
     List<Result> results = new CopyOnWriteArrayList<>();
-    link.call(
-        "rover",
-        "drive",
-        Map.of("metres", 0.5),
-        Duration.ofSeconds(30),
-        Optional.empty(),
-        results::add);
+    link.call("rover", feature, parameters, Duration.ofSeconds(30), Optional.empty(), results::add);
     Awaitility.await().atMost(Duration.ofSeconds(40)).until(() -> !results.isEmpty());
     return results.get(0);
   }

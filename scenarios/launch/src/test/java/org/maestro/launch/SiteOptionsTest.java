@@ -3,9 +3,13 @@ package org.maestro.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,43 +19,48 @@ import picocli.CommandLine;
 class SiteOptionsTest {
   @TempDir private Path parent;
   private RuntimeDirectory here;
+  private ServerSocket broker;
 
   @BeforeEach
-  void nothingRuns() {
+  void aBrokerAnswersAndNoPlatformRuns() throws IOException {
     here = RuntimeDirectory.at(parent.resolve("run"));
+    broker = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    broker.close();
   }
 
   @Test
   void thePlatformThatRunsHereUnlessAnotherIsNamed() {
-    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
+    runs("hall", Optional.of(broker()));
 
     SiteOptions.Found site = read().find(here);
 
     assertThat(site.name()).isEqualTo("hall");
-    assertThat(site.broker()).isEqualTo(URI.create("tcp://127.0.0.1:2883"));
+    assertThat(site.broker()).isEqualTo(URI.create(broker()));
     assertThat(site.isSecured()).isFalse();
   }
 
   @Test
   void aBrokerThatIsNamedIsThatOfMaestroUnlessTheSiteIsNamedToo() {
-    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
+    runs("hall", Optional.of("tcp://127.0.0.1:1"));
 
-    SiteOptions.Found usual = read("--broker", "tcp://127.0.0.1:1883").find(here);
-    SiteOptions.Found other =
-        read("--broker", "tcp://127.0.0.1:1883", "--site", "crater").find(here);
+    SiteOptions.Found usual = read("--broker", broker()).find(here);
+    SiteOptions.Found other = read("--broker", broker(), "--site", "crater").find(here);
 
     assertThat(usual.name()).isEqualTo("maestro");
-    assertThat(usual.broker()).isEqualTo(URI.create("tcp://127.0.0.1:1883"));
+    assertThat(usual.broker()).isEqualTo(URI.create(broker()));
     assertThat(other.name()).isEqualTo("crater");
   }
 
   @Test
   void oneOfSeveralIsChosenByName() {
-    runs("hall", Optional.of("tcp://127.0.0.1:2883"));
-    runs("loft", Optional.of("tcp://127.0.0.1:3883"));
+    runs("hall", Optional.of("tcp://127.0.0.1:1"));
+    runs("loft", Optional.of(broker()));
 
-    assertThat(read("--site", "loft").find(here).broker())
-        .isEqualTo(URI.create("tcp://127.0.0.1:3883"));
+    assertThat(read("--site", "loft").find(here).name()).isEqualTo("loft");
     assertThatThrownBy(() -> read().find(here))
         .isInstanceOf(CommandException.class)
         .hasMessage("Several platforms run (hall, loft); choose one with --site NAME.");
@@ -67,6 +76,10 @@ class SiteOptionsTest {
     assertThatThrownBy(() -> read().find(here))
         .isInstanceOf(CommandException.class)
         .hasMessage("The platform hall has no broker that others reach; name one with --broker.");
+  }
+
+  private String broker() {
+    return "tcp://127.0.0.1:" + broker.getLocalPort();
   }
 
   private static SiteOptions read(String... arguments) {
