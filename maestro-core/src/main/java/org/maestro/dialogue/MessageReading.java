@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.maestro.language.wording.FactWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Script;
 import org.maestro.sl.Content;
@@ -17,11 +18,21 @@ import org.maestro.sl.Term;
 /** What is to be done about a message that words mean: goals to state, or a question to put. */
 final class MessageReading {
   private static final int MINUTES_OF_HOUR = 60;
+  private static final String TEXT = "string";
 
-  private MessageReading() {}
+  private final Home home;
+  private final FactWords words;
+
+  /**
+   * @param words in which is told what a formula says, where a text is wanted
+   */
+  MessageReading(Home home, FactWords words) {
+    this.home = home;
+    this.words = words;
+  }
 
   /** The reading; empty when nothing can be done about it here. */
-  static Optional<Reading> of(Content message, Home home) {
+  Optional<Reading> of(Content message) {
     return switch (message.operator()) {
       case "query-if" ->
           formula(message)
@@ -29,12 +40,12 @@ final class MessageReading {
               .or(() -> about(message, "done", Reading.About.What.WHETHER_DONE));
       case "explain" -> Optional.of(new Reading.About(Reading.About.What.WHY, goal(message)));
       case "cancel" -> calledOff(message);
-      case "query-ref" -> asked(message, home);
-      case "seq" -> goals(message, home);
+      case "query-ref" -> asked(message);
+      case "seq" -> goals(message);
       default ->
           named(message, "last").isPresent()
               ? Optional.of(new Reading.Again())
-              : goal(message, home).map(goals -> new Reading.Goals(goals));
+              : stated(message).map(goals -> new Reading.Goals(goals));
     };
   }
 
@@ -76,7 +87,7 @@ final class MessageReading {
         .findFirst();
   }
 
-  private static Optional<Reading> asked(Content message, Home home) {
+  private Optional<Reading> asked(Content message) {
     Optional<Content.Argument.Named> able = named(message, "able");
     if (able.isPresent()) {
       return Optional.of(
@@ -84,7 +95,7 @@ final class MessageReading {
     }
     Optional<Content.Argument.Named> history = named(message, "history");
     if (history.isPresent()) {
-      return Optional.of(new Reading.About(Reading.About.What.WHO, past(history.get(), home)));
+      return Optional.of(new Reading.About(Reading.About.What.WHO, past(history.get())));
     }
     return about(message, "doing", Reading.About.What.DOING)
         .or(() -> about(message, "done", Reading.About.What.DONE))
@@ -101,15 +112,15 @@ final class MessageReading {
   }
 
   /** What has become so, as it stands in a text. */
-  private static Optional<Formula> past(Content.Argument.Named history, Home home) {
+  private Optional<Formula> past(Content.Argument.Named history) {
     return history.arguments().stream()
         .findFirst()
         .map(MessageReading::term)
         .filter(Term.Text.class::isInstance)
-        .flatMap(text -> read(((Term.Text) text).value(), home));
+        .flatMap(text -> read(((Term.Text) text).value()));
   }
 
-  private static Optional<Formula> read(String text, Home home) {
+  private Optional<Formula> read(String text) {
     try {
       return Optional.of(SlParser.formula(text, home.vocabulary()::isFluent));
     } catch (SlSyntaxException e) {
@@ -130,12 +141,12 @@ final class MessageReading {
         : formula.map(Reading.Asked::new);
   }
 
-  private static Optional<Reading> goals(Content sequence, Home home) {
+  private Optional<Reading> goals(Content sequence) {
     List<String> all = new ArrayList<>();
     for (Content.Argument part : sequence.arguments()) {
       Optional<List<String>> goals =
           part instanceof Content.Argument.Nested nested
-              ? goal(nested.content(), home)
+              ? stated(nested.content())
               : Optional.empty();
       if (goals.isEmpty()) {
         return Optional.empty();
@@ -146,19 +157,19 @@ final class MessageReading {
   }
 
   /** The goals that the message states, one for each time that a script is to be run. */
-  private static Optional<List<String>> goal(Content message, Home home) {
+  private Optional<List<String>> stated(Content message) {
     return switch (message.operator()) {
       case "initCNP" ->
           named(message, "goal")
               .flatMap(goal -> goal.arguments().stream().findFirst())
               .map(formula -> List.of(SlPrinter.print(formula)));
-      case "perform" -> script(message, home);
-      case "whenever", "at", "after", "until" -> bound(message, home);
+      case "perform" -> script(message);
+      case "whenever", "once", "at", "after", "until" -> bound(message);
       default -> Optional.empty();
     };
   }
 
-  private static Optional<List<String>> script(Content message, Home home) {
+  private Optional<List<String>> script(Content message) {
     Optional<Script> script =
         named(message, "script")
             .flatMap(one -> one.arguments().stream().findFirst())
@@ -174,22 +185,38 @@ final class MessageReading {
         return Optional.empty();
       }
       List<String> longer = new ArrayList<>();
+      boolean isText = parameter.className().filter(TEXT::equals).isPresent();
       for (String call : calls) {
-        said.get().arguments().forEach(value -> longer.add(call + " " + SlPrinter.print(value)));
+        said.get()
+            .arguments()
+            .forEach(value -> longer.add(call + " " + (isText ? text(value) : print(value))));
       }
       calls = longer;
     }
     return Optional.of(calls.stream().map(call -> call + ")").toList());
   }
 
+  private static String print(Content.Argument value) {
+    return SlPrinter.print(value);
+  }
+
+  /** What a formula says, where it stands for a text. */
+  private String text(Content.Argument value) {
+    return value instanceof Content.Argument.OfFormula of
+        ? SlPrinter.print(
+            new Term.Text(
+                words.sentence(of.formula()).orElseGet(() -> SlPrinter.print(of.formula()))))
+        : print(value);
+  }
+
   /** Goals that begin or end at a time or an event. */
-  private static Optional<List<String>> bound(Content message, Home home) {
+  private Optional<List<String>> bound(Content message) {
     Optional<List<String>> inner =
         message.arguments().stream()
             .filter(Content.Argument.Nested.class::isInstance)
             .map(one -> ((Content.Argument.Nested) one).content())
             .findFirst()
-            .flatMap(content -> goal(content, home));
+            .flatMap(this::stated);
     Optional<String> occasion = occasion(message);
     if (inner.isEmpty() || occasion.isEmpty()) {
       return Optional.empty();

@@ -23,6 +23,7 @@ import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AbilityWords;
 import org.maestro.language.wording.AnswerWords;
+import org.maestro.language.wording.FactWords;
 import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
@@ -138,14 +139,20 @@ public final class SpokenWords {
     Language language = language(there, Optional.of(words));
     Listening listening = language.hear(words.text(), situation(there, words));
     return new Overheard(
-        begun(listening.began(), there), listening.attention(), listening.isComplete());
+        begun(listening.began(), reading(there, language)), listening.attention(), listening.isComplete());
+  }
+
+  /** What is told of is told to whoever hears it then. */
+  private static MessageReading reading(Home there, Language language) {
+    return new MessageReading(there, new FactWords(there, language.grammar(), Optional.empty()));
   }
 
   /** Of what was not called off. */
-  private static List<Reading.Goals> begun(List<Understanding.Begun> began, Home there) {
+  private static List<Reading.Goals> begun(
+      List<Understanding.Begun> began, MessageReading reading) {
     return began.stream()
         .filter(one -> one.calledOff().isEmpty())
-        .flatMap(one -> MessageReading.of(one.message(), there).stream())
+        .flatMap(one -> reading.of(one.message()).stream())
         .filter(Reading.Goals.class::isInstance)
         .map(Reading.Goals.class::cast)
         .toList();
@@ -175,7 +182,7 @@ public final class SpokenWords {
         understood.message(),
         understood.reply(),
         isAsked,
-        begun(understood.began(), there));
+        begun(understood.began(), reading(there, language)));
   }
 
   private static Optional<Reading> reading(
@@ -183,7 +190,7 @@ public final class SpokenWords {
     // What she may not have done need not be confirmed.
     boolean isRefused = language.refusal(understood, situation).isPresent();
     return (isRefused ? understood.wish() : understood.message())
-        .flatMap(message -> MessageReading.of(message, situation.home()))
+        .flatMap(reading(situation.home(), language)::of)
         .or(() -> understood.question().map(text -> new Reading.Back(text, List.of())))
         .or(() -> social(understood))
         .or(() -> agreed(understood));
@@ -245,10 +252,10 @@ public final class SpokenWords {
    */
   public synchronized boolean isUnderstood(Utterance instead) {
     Home there = home.get();
-    Understanding understood =
-        language(there, Optional.of(instead)).understand(instead.text(), situation(there, instead));
+    Language language = language(there, Optional.of(instead));
+    Understanding understood = language.understand(instead.text(), situation(there, instead));
     return understood.unknown().isEmpty()
-        && understood.wish().flatMap(message -> MessageReading.of(message, there)).isPresent();
+        && understood.wish().flatMap(reading(there, language)::of).isPresent();
   }
 
   /** What can be said in her language, for who does not know the home. */

@@ -102,6 +102,9 @@ final class Narrowing {
 
   private List<String> candidates(NounPhrases phrases, Form frame, Construction.Role role) {
     Form filler = filler(frame, role);
+    if (role.type().equals(Construction.Role.CONDITION)) {
+      return List.of();
+    }
     boolean isRelation = role.type().equals(Construction.Role.RELATION);
     Form phrase = isRelation ? filler.part(1) : filler;
     String type =

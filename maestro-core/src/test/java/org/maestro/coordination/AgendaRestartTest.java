@@ -194,6 +194,32 @@ class AgendaRestartTest {
   }
 
   @Test
+  void whatIsSoOnceNobodyWatchedComesLateAndIsNotLost() {
+    submit("(once (> (level lamp-b1) 0.5) (= (level lamp-b2) 0.5))");
+    house.setLevel("lamp-b1", 1);
+    restart();
+    await(() -> !outcomes.isEmpty());
+
+    assertThat(outcomes).as(told()).hasSize(1).allMatch(GoalOutcome::reached);
+    assertThat(state(2)).isEqualTo(GoalState.ACHIEVED);
+    restart();
+    assertThat(goals()).as("what is over stays over").hasSize(2);
+  }
+
+  @Test
+  void whatHasBegunOnceItWasSoIsFollowedAfterARestart() {
+    house.stepTakes = Duration.ofSeconds(30);
+    house.setLevel("lamp-b1", 1);
+    submit("(once (> (level lamp-b1) 0.5) (= (level lamp-b2) 0.5))");
+    await(() -> goals().size() == 2);
+    restart();
+    await(() -> outcomes.size() == 2);
+
+    assertThat(outcomes).as(told()).allMatch(GoalOutcome::reached);
+    assertThat(goals()).hasSize(2);
+  }
+
+  @Test
   void whoIsLostAndComesBackIsNoEvent() {
     house.setLevel("lamp-b1", 1);
     submit(BRIGHT);

@@ -221,6 +221,40 @@ class AgendaTest {
     assertThat(ids()).hasSize(4);
   }
 
+  @Test
+  void onceItIsSoIsTheFirstTimeAndNoOther() {
+    house().with("Mug", "zone-b").with("Cup", "zone-b");
+    String id = house.wish("(once (and (Item ?i) (in ?i zone-c)) (fetch ?i))");
+    house.clock.run(Duration.ofMinutes(1));
+    assertThat(ids()).containsExactly(id);
+    assertThat(house.status(id).detail())
+        .isEqualTo("for (and (Item ?i) (in ?i zone-c)) to become so");
+
+    house.with("Mug", "zone-c");
+    assertThat(house.run(1, Duration.ofMinutes(2))).as(house.told()).isTrue();
+
+    assertThat(house.outcomes.get(id).reached()).isTrue();
+    assertThat(house.place).containsEntry("Mug", "zone-a");
+    assertThat(house.told())
+        .contains("G2 GOAL Begun by G1, because (and (Item Mug) (in Mug zone-c)) is so.");
+    house.with("Cup", "zone-c");
+    house.clock.run(Duration.ofMinutes(2));
+    assertThat(ids()).as(house.told()).containsExactly("G1", "G2");
+  }
+
+  @Test
+  void whatIsSoAlreadyIsSoOnce() {
+    house().with("Jar", "zone-c");
+    String id = house.wish("(once (in ?i zone-c) (keep (in ?i zone-a)))");
+    house.clock.run(Duration.ofMinutes(2));
+
+    assertThat(house.place).as(house.told()).containsEntry("Jar", "zone-a");
+    assertThat(house.state(id)).isEqualTo(GoalState.RUNNING);
+    assertThat(house.coordinator.cancel(id, "Bob")).isTrue();
+    house.clock.run(Duration.ofSeconds(1));
+    assertThat(house.state("G2")).as("ends with what has begun it").isEqualTo(GoalState.CANCELLED);
+  }
+
   /** What makes itself so again does not keep a processor busy. */
   @Test
   void whatFollowsFromItselfComesOnceASecond() {
@@ -269,6 +303,7 @@ class AgendaTest {
         "(whenever (in Cup zone-c) (fetch ?i))|The condition says nothing of ?i, which the goal has;"
             + " write a name in its place.",
         "(whenever (in Cup zone-c) (in ?i zone-a))|The condition says nothing of ?i",
+        "(once (in Cup zone-c) (in ?i zone-a))|The condition says nothing of ?i",
         "(whenever (> (mass Cup) ?m) (fetch Cup))|The condition leaves the number ?m open",
         "(whenever (in Cup zone-c) (keep (in Cup zone-a)))|What begins again and again has to end;"
             + " write (until \"23:00\" (keep (in Cup zone-a)))",

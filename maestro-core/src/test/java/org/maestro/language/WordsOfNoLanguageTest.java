@@ -48,6 +48,7 @@ class WordsOfNoLanguageTest {
           "question",
           "last",
           "whenever",
+          "once",
           "inform",
           "facts",
           "query-if",

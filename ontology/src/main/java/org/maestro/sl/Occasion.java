@@ -26,6 +26,11 @@ public sealed interface Occasion {
   /** So many seconds after it was stated. */
   record After(double seconds) implements Occasion {}
 
-  /** The condition becomes known to hold, for values of its free variables. */
-  record Event(Formula condition) implements Occasion {}
+  /**
+   * The condition becomes known to hold, for values of its free variables.
+   *
+   * @param again whether each time counts, and what is so already does not; else the first time
+   *     does, which may be now
+   */
+  record Event(Formula condition, boolean again) implements Occasion {}
 }

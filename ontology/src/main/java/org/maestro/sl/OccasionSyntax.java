@@ -22,7 +22,8 @@ final class OccasionSyntax {
   private static final String AFTER = "after";
   private static final String UNTIL = "until";
   private static final String WHENEVER = "whenever";
-  private static final Set<String> WORDS = Set.of(AT, AFTER, UNTIL, WHENEVER);
+  private static final String ONCE = "once";
+  private static final Set<String> WORDS = Set.of(AT, AFTER, UNTIL, WHENEVER, ONCE);
 
   private static final String A_TIME =
       "a time in quotes, such as \"22:30\" or \"2026-12-24 18:00\"";
@@ -75,10 +76,11 @@ final class OccasionSyntax {
         group.expectOperands(2, SECONDS + ", and a goal");
         yield new Formula.Upon(seconds(rest.get(0)), goals.apply(rest.get(1)));
       }
-      case WHENEVER -> {
+      case WHENEVER, ONCE -> {
         group.expectOperands(2, "a condition and a goal");
         yield new Formula.Upon(
-            new Occasion.Event(formulas.apply(rest.get(0))), goals.apply(rest.get(1)));
+            new Occasion.Event(formulas.apply(rest.get(0)), group.head().equals(WHENEVER)),
+            goals.apply(rest.get(1)));
       }
       default -> {
         group.expectOperands(2, "a time, seconds or a condition, and " + A_GOAL);
@@ -89,7 +91,7 @@ final class OccasionSyntax {
 
   private Occasion end(Node node) {
     if (node instanceof Node.Group) {
-      return new Occasion.Event(formulas.apply(node));
+      return new Occasion.Event(formulas.apply(node), false);
     }
     return isLeaf(node, Node.Kind.NUMBER) ? seconds(node) : time(node);
   }
@@ -162,10 +164,11 @@ final class OccasionSyntax {
           .formatted(
               bound instanceof Formula.Until ? UNTIL : AFTER, SlPrinter.print(after.seconds()));
     }
+    Occasion.Event event = (Occasion.Event) occasion;
     return "(%s %s"
         .formatted(
-            bound instanceof Formula.Until ? UNTIL : WHENEVER,
-            SlPrinter.print(((Occasion.Event) occasion).condition()));
+            bound instanceof Formula.Until ? UNTIL : event.again() ? WHENEVER : ONCE,
+            SlPrinter.print(event.condition()));
   }
 
   private static String every(Set<DayOfWeek> days) {

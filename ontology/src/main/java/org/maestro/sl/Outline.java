@@ -91,9 +91,12 @@ public final class Outline {
     if (bound instanceof Formula.Until) {
       return "until then, the goal";
     }
-    return bound.occasion() instanceof Occasion.Event
-        ? "each time that the first becomes so, the goal"
-        : "then, the goal";
+    if (bound.occasion() instanceof Occasion.Event event) {
+      return event.again()
+          ? "each time that the first becomes so, the goal"
+          : "as soon as the first is so, the goal";
+    }
+    return "then, the goal";
   }
 
   private void effect(Effect effect, int depth) {

@@ -86,7 +86,7 @@ public record Substitution(Map<String, Term> terms) {
 
   private Occasion apply(Occasion occasion) {
     return occasion instanceof Occasion.Event event
-        ? new Occasion.Event(apply(event.condition()))
+        ? new Occasion.Event(apply(event.condition()), event.again())
         : occasion;
   }
 

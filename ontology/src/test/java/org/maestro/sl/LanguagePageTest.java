@@ -79,6 +79,7 @@ class LanguagePageTest {
                 "after",
                 "until",
                 "whenever",
+                "once",
                 "when",
                 "assign",
                 "increase",

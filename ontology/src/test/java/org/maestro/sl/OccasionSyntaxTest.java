@@ -130,16 +130,17 @@ class OccasionSyntaxTest {
             .as((time, days) -> new Occasion.At(Optional.empty(), time, days));
     Arbitrary<Occasion> after =
         Arbitraries.integers().between(0, 1_000_000).map(n -> new Occasion.After(n / 4.0));
-    Arbitrary<Occasion> events = SyntaxTrees.formulas().map(Occasion.Event::new);
+    Arbitrary<Occasion> first = SyntaxTrees.formulas().map(f -> new Occasion.Event(f, false));
+    Arbitrary<Occasion> each = SyntaxTrees.formulas().map(f -> new Occasion.Event(f, true));
     Arbitrary<Formula> goals =
         Arbitraries.oneOf(SyntaxTrees.formulas(), SyntaxTrees.formulas().map(Formula.Keep::new));
     return Arbitraries.recursive(
         () -> goals,
         inner ->
             Arbitraries.oneOf(
-                Combinators.combine(Arbitraries.oneOf(once, again, after, events), inner)
+                Combinators.combine(Arbitraries.oneOf(once, again, after, first, each), inner)
                     .as(Formula.Upon::new),
-                Combinators.combine(Arbitraries.oneOf(once, after, events), inner)
+                Combinators.combine(Arbitraries.oneOf(once, after, first), inner)
                     .as(Formula.Until::new)),
         1,
         3);

@@ -54,7 +54,9 @@ public final class EntryGoal implements GoalOfGoals {
     if (bound instanceof Formula.Until until) {
       return new UntilThen(entry, until);
     } else if (bound.occasion() instanceof Occasion.Event event) {
-      return new Whenever(entry, event.condition(), bound.goal());
+      return event.again()
+          ? new Whenever(entry, event.condition(), bound.goal())
+          : new AsSoonAs(entry, event.condition(), bound.goal());
     }
     Due due = new Due(bound.occasion(), entry);
     if (bound.occasion() instanceof Occasion.At at && !at.every().isEmpty()) {

@@ -85,7 +85,7 @@ final class BoundGoalCheck {
   }
 
   private static boolean isRepeated(Occasion occasion) {
-    return occasion instanceof Occasion.Event
+    return occasion instanceof Occasion.Event event && event.again()
         || occasion instanceof Occasion.At at && !at.every().isEmpty();
   }
 

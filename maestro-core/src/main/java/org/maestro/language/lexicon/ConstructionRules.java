@@ -27,7 +27,8 @@ public final class ConstructionRules {
 
   private static final Map<String, String> CATEGORIES =
       Map.of(
-          "Relation", "Where",
+          Construction.Role.RELATION, "Where",
+          Construction.Role.CONDITION, "Cond",
           "decimal", "Amount",
           "double", "Amount",
           "integer", "Amount",

@@ -38,7 +38,7 @@ final class Acts {
     this.idle = idle;
     this.measures = new Measures(situation, references, idle);
     this.states = new States(situation, references);
-    this.frames = new Frames(situation, references, states);
+    this.frames = new Frames(situation, references, states, this::condition);
     this.questions = new Questions(situation, references, states, measures, this);
   }
 

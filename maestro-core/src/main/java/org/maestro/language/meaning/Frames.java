@@ -35,11 +35,20 @@ final class Frames {
   private final Situation situation;
   private final References references;
   private final States states;
+  private final Function<Form, Optional<Formula>> conditions;
 
-  Frames(Situation situation, References references, States states) {
+  /**
+   * @param conditions what is so where a sentence about it holds
+   */
+  Frames(
+      Situation situation,
+      References references,
+      States states,
+      Function<Form, Optional<Formula>> conditions) {
     this.situation = situation;
     this.references = references;
     this.states = states;
+    this.conditions = conditions;
   }
 
   /** The construction of a frame. */
@@ -421,8 +430,17 @@ final class Frames {
   private Optional<Content> plain(
       Construction construction, Map<String, Form> fillers, Content means) {
     Map<String, List<Term>> terms = new HashMap<>();
+    Map<String, Formula> formulas = new HashMap<>();
     for (Construction.Role role : construction.roles()) {
       Form filler = fillers.getOrDefault(role.name(), Form.HOLE);
+      if (role.type().equals(Construction.Role.CONDITION) && !filler.is("_")) {
+        Optional<Formula> condition = conditions.apply(filler);
+        if (condition.isEmpty()) {
+          return Optional.empty();
+        }
+        formulas.put(role.name(), condition.get());
+        continue;
+      }
       if (filler.is("_")) {
         role.usually()
             .flatMap(this::usual)
@@ -446,7 +464,7 @@ final class Frames {
     situation.speaker().ifPresent(name -> terms.put("speaker", List.of(new Term.Name(name))));
     situation.here().ifPresent(name -> terms.put("here", List.of(new Term.Name(name))));
     situation.self().ifPresent(name -> terms.put("self", List.of(new Term.Name(name))));
-    return Optional.of(filled(means, terms));
+    return Optional.of(new Filling(terms, formulas).filled(means));
   }
 
   private static boolean hasText(Construction construction) {
@@ -457,47 +475,56 @@ final class Frames {
     return situation.speaker().map(Term.Name::new).filter(terms::contains).isPresent();
   }
 
-  private static Content filled(Content content, Map<String, List<Term>> terms) {
-    return new Content(
-        content.operator(),
-        content.arguments().stream().flatMap(argument -> filled(argument, terms)).toList());
-  }
+  /** What stands in the places of a message's variables. */
+  private record Filling(Map<String, List<Term>> terms, Map<String, Formula> formulas) {
 
-  private static Stream<Content.Argument> filled(
-      Content.Argument argument, Map<String, List<Term>> terms) {
-    if (argument instanceof Content.Argument.OfTerm ofTerm
-        && ofTerm.term() instanceof Term.Variable variable
-        && terms.containsKey(variable.name())) {
-      return terms.getOrDefault(variable.name(), List.of()).stream()
-          .map(Content.Argument.OfTerm::new);
-    } else if (argument instanceof Content.Argument.OfTerm ofTerm
-        && ofTerm.term() instanceof Term.Text text) {
-      return Stream.of(new Content.Argument.OfTerm(new Term.Text(written(text.value(), terms))));
-    } else if (argument instanceof Content.Argument.Named named) {
-      return Stream.of(
-          new Content.Argument.Named(
-              named.name(),
-              named.arguments().stream().flatMap(one -> filled(one, terms)).toList()));
-    } else if (argument instanceof Content.Argument.Nested nested) {
-      return Stream.of(new Content.Argument.Nested(filled(nested.content(), terms)));
-    } else if (argument instanceof Content.Argument.OfFormula ofFormula) {
-      Map<String, Term> single = new HashMap<>();
-      terms.forEach((name, values) -> single.put(name, values.get(0)));
-      return Stream.of(
-          new Content.Argument.OfFormula(new Substitution(single).apply(ofFormula.formula())));
+    Content filled(Content content) {
+      return new Content(
+          content.operator(), content.arguments().stream().flatMap(this::filled).toList());
     }
-    return Stream.of(argument);
-  }
 
-  /** A text in which variables stand, such as that of facts. */
-  private static String written(String text, Map<String, List<Term>> terms) {
-    String filled = text;
-    for (Map.Entry<String, List<Term>> entry : terms.entrySet()) {
-      filled =
-          filled.replaceAll(
-              "\\?" + Pattern.quote(entry.getKey()) + "\\b",
-              Matcher.quoteReplacement(SlPrinter.print(entry.getValue().get(0))));
+    private Stream<Content.Argument> filled(Content.Argument argument) {
+      if (argument instanceof Content.Argument.OfTerm ofTerm) {
+        return filled(ofTerm);
+      } else if (argument instanceof Content.Argument.Named named) {
+        return Stream.of(
+            new Content.Argument.Named(
+                named.name(), named.arguments().stream().flatMap(this::filled).toList()));
+      } else if (argument instanceof Content.Argument.Nested nested) {
+        return Stream.of(new Content.Argument.Nested(filled(nested.content())));
+      } else if (argument instanceof Content.Argument.OfFormula ofFormula) {
+        Map<String, Term> single = new HashMap<>();
+        terms.forEach((name, values) -> single.put(name, values.get(0)));
+        return Stream.of(
+            new Content.Argument.OfFormula(new Substitution(single).apply(ofFormula.formula())));
+      }
+      return Stream.of(argument);
     }
-    return filled;
+
+    private Stream<Content.Argument> filled(Content.Argument.OfTerm argument) {
+      if (argument.term() instanceof Term.Variable variable) {
+        Optional<Formula> formula = Optional.ofNullable(formulas.get(variable.name()));
+        return formula.isPresent()
+            ? Stream.of(new Content.Argument.OfFormula(formula.get()))
+            : terms.getOrDefault(variable.name(), List.of(variable)).stream()
+                .map(Content.Argument.OfTerm::new);
+      }
+      return Stream.of(
+          argument.term() instanceof Term.Text text
+              ? new Content.Argument.OfTerm(new Term.Text(written(text.value())))
+              : argument);
+    }
+
+    /** A text in which variables stand, such as that of facts. */
+    private String written(String text) {
+      String filled = text;
+      for (Map.Entry<String, List<Term>> entry : terms.entrySet()) {
+        filled =
+            filled.replaceAll(
+                "\\?" + Pattern.quote(entry.getKey()) + "\\b",
+                Matcher.quoteReplacement(SlPrinter.print(entry.getValue().get(0))));
+      }
+      return filled;
+    }
   }
 }

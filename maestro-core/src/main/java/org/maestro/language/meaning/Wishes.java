@@ -21,7 +21,7 @@ public final class Wishes {
       case "initCNP" -> Acts.goalOf(message).stream().toList();
       case "perform" -> runs(message, home);
       case "seq" -> nested(message).flatMap(part -> of(part, home).stream()).toList();
-      case "whenever", "at", "after", "until" ->
+      case "whenever", "once", "at", "after", "until" ->
           nested(message)
               .flatMap(part -> of(part, home).stream())
               .<Formula>map(goal -> new Formula.Upon(new Occasion.After(0), goal))

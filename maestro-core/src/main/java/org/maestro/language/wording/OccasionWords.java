@@ -32,7 +32,11 @@ final class OccasionWords {
     if (occasion instanceof Occasion.Event event) {
       return facts
           .of(event.condition())
-          .map(fact -> phrases.of(end ? "until-so" : "whenever-so", Map.of("fact", fact)));
+          .map(
+              fact ->
+                  phrases.of(
+                      end ? "until-so" : event.again() ? "whenever-so" : "once-so",
+                      Map.of("fact", fact)));
     } else if (occasion instanceof Occasion.After after) {
       Duration span = Duration.ofMillis((long) (after.seconds() * 1000));
       return Optional.of(

@@ -36,8 +36,8 @@ public record Construction(
   /**
    * A place in the pattern.
    *
-   * @param type a class, {@code Relation}, or a datatype by local name: {@code decimal}, {@code
-   *     duration}, {@code string}
+   * @param type a class, {@code Relation}, {@code Condition}, or a datatype by local name: {@code
+   *     decimal}, {@code duration}, {@code string}
    * @param relates of a relation: the role whose place it tells
    * @param questions what is asked when it is missing; other roles stand in braces
    * @param usually its value when it is not said
@@ -53,6 +53,9 @@ public record Construction(
       boolean toTheEnd) {
     /** The type of a role that is told by a prepositional phrase. */
     public static final String RELATION = "Relation";
+
+    /** The type of a role that is told by a sentence about what is so. */
+    public static final String CONDITION = "Condition";
 
     public Role {
       questions = List.copyOf(questions);
