@@ -441,7 +441,7 @@ final class Acts {
       case "at":
         return clock(when.part(0), frame).map(minute -> new Content("at", List.of(minute, nested)));
       case "every":
-        return everyDay(when.part(1), when.text(0), nested);
+        return everyDay(when.part(1), when.part(0), nested);
       case "after":
         return Optional.of(new Content("after", List.of(seconds(when.part(0)), nested)));
       case "tomorrow":
@@ -480,7 +480,7 @@ final class Acts {
   }
 
   /** Of two times that are called the same that of the morning is meant, whenever it is said. */
-  private Optional<Content> everyDay(Form clock, String day, Content.Argument nested) {
+  private Optional<Content> everyDay(Form clock, Form days, Content.Argument nested) {
     OptionalInt minute = Values.minuteOfTomorrow(clock);
     if (minute.isEmpty()) {
       references.die();
@@ -491,9 +491,16 @@ final class Acts {
             "at",
             List.of(
                 new Content.Argument.OfTerm(new Term.Number(minute.getAsInt())),
-                new Content.Argument.Named(
-                    "every", List.of(new Content.Argument.OfTerm(new Term.Name(day)))),
+                new Content.Argument.Named("every", names(days)),
                 nested)));
+  }
+
+  /** One, or all of several. */
+  private static List<Content.Argument> names(Form days) {
+    return (days.parts().isEmpty() ? List.of(days) : days.parts())
+        .stream()
+            .<Content.Argument>map(day -> new Content.Argument.OfTerm(new Term.Name(day.head())))
+            .toList();
   }
 
   /** A time of the next day is so long after now. */

@@ -94,9 +94,18 @@ final class References {
     if (reference instanceof Reference.Either either) {
       return either(either, said);
     }
-    return reference instanceof Reference.Open open
-        ? unlessSoAlready(open, said)
-        : broken(reference);
+    if (reference instanceof Reference.Open open) {
+      return !wished && isOfAll(open)
+          ? each(new Reference.Several(List.copyOf(open.candidates())), said)
+          : unlessSoAlready(open, said);
+    }
+    return broken(reference);
+  }
+
+  /** Of all that are elsewhere nothing is done unasked; what is so of them can be told. */
+  private static boolean isOfAll(Reference.Open open) {
+    return open.said().is("np")
+        && (open.said().text(0).equals("all") || open.said().text(0).equals("every"));
   }
 
   /** Whether it is said where any of them is, which changes when one is moved. */
