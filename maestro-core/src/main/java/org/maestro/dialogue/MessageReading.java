@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.maestro.language.grammar.Grammar;
 import org.maestro.language.wording.FactWords;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Script;
@@ -21,14 +22,14 @@ final class MessageReading {
   private static final String TEXT = "string";
 
   private final Home home;
-  private final FactWords words;
+  private final Grammar grammar;
 
   /**
-   * @param words in which is told what a formula says, where a text is wanted
+   * @param grammar in whose words is told what a formula says, where a text is wanted
    */
-  MessageReading(Home home, FactWords words) {
+  MessageReading(Home home, Grammar grammar) {
     this.home = home;
-    this.words = words;
+    this.grammar = grammar;
   }
 
   /** The reading; empty when nothing can be done about it here. */
@@ -200,13 +201,14 @@ final class MessageReading {
     return SlPrinter.print(value);
   }
 
-  /** What a formula says, where it stands for a text. */
+  /** What a formula says, where it stands for a text: to whoever hears it then. */
   private String text(Content.Argument value) {
-    return value instanceof Content.Argument.OfFormula of
-        ? SlPrinter.print(
-            new Term.Text(
-                words.sentence(of.formula()).orElseGet(() -> SlPrinter.print(of.formula()))))
-        : print(value);
+    if (!(value instanceof Content.Argument.OfFormula of)) {
+      return print(value);
+    }
+    Optional<String> sentence =
+        new FactWords(home, grammar, Optional.empty()).sentence(of.formula());
+    return SlPrinter.print(new Term.Text(sentence.orElseGet(() -> print(value))));
   }
 
   /** Goals that begin or end at a time or an event. */

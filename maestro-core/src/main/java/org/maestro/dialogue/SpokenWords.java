@@ -23,7 +23,6 @@ import org.maestro.language.reference.Discourse;
 import org.maestro.language.reference.Situation;
 import org.maestro.language.wording.AbilityWords;
 import org.maestro.language.wording.AnswerWords;
-import org.maestro.language.wording.FactWords;
 import org.maestro.language.wording.GoalWords;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
@@ -139,12 +138,13 @@ public final class SpokenWords {
     Language language = language(there, Optional.of(words));
     Listening listening = language.hear(words.text(), situation(there, words));
     return new Overheard(
-        begun(listening.began(), reading(there, language)), listening.attention(), listening.isComplete());
+        begun(listening.began(), reading(there, language)),
+        listening.attention(),
+        listening.isComplete());
   }
 
-  /** What is told of is told to whoever hears it then. */
   private static MessageReading reading(Home there, Language language) {
-    return new MessageReading(there, new FactWords(there, language.grammar(), Optional.empty()));
+    return new MessageReading(there, language.grammar());
   }
 
   /** Of what was not called off. */

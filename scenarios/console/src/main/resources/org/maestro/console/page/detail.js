@@ -1,5 +1,5 @@
 /** What is chosen, in full: a goal's story, or all that is known of a thing. */
-import { make, byId, table, redraw, seconds } from "./dom.js";
+import { make, byId, table, redraw, seconds, wholeSeconds } from "./dom.js";
 import { state, age, ask, onStory } from "./feed.js";
 import { select, selection } from "./selection.js";
 import { isOver, stateOf } from "./goals.js";
@@ -81,7 +81,7 @@ export const FACTS = [
   { name: "Fact", text: formula, cell: (fact) => make("code", {}, formula(fact)) },
   { name: "Value", className: "number", text: value },
   { name: "From", text: (fact) => `${fact.source}, ${fact.kind}` },
-  { name: "Age", className: "number", text: (fact) => seconds(age(fact)), value: age },
+  { name: "Age", className: "number", text: (fact) => wholeSeconds(age(fact)), value: age },
 ];
 
 function thingDetail(name) {

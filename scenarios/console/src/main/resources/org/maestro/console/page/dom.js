@@ -44,20 +44,20 @@ export function redraw(container, ...children) {
 /**
  * One element for each name, made anew only when it is to show something else, so that a thousand of
  * them cost no more than those that change. Returns what draws: it takes the names in their order,
- * each with what it shows and how it is made.
+ * each with what it shows and how it is made, and if wished how one that is there becomes so.
  */
 export function keyed(container) {
   let kept = new Map();
   return (wanted) => {
     const next = new Map();
-    for (const [name, shows, made] of wanted) {
+    for (const [name, shows, made, become] of wanted) {
       const before = kept.get(name);
       if (before?.shows === shows) {
         next.set(name, before);
         continue;
       }
-      const element = made();
-      if (before) {
+      const element = before && become ? become(before.element) : made();
+      if (before && element !== before.element) {
         const had = before.element === document.activeElement;
         before.element.replaceWith(element);
         if (had) {
@@ -104,6 +104,11 @@ export function choices(select, values) {
     }
     select.dataset.choices = wanted;
   }
+}
+
+/** Where there are many ages, tenths would have all of them drawn anew all the time. */
+export function wholeSeconds(value) {
+  return value >= 0 && value < 10 ? `${Math.floor(value)} s` : seconds(value);
 }
 
 export function seconds(value) {

@@ -45,6 +45,11 @@ export function onStory(listener) {
   storyListeners.add(listener);
 }
 
+/** Told when the picture is seen for which parts were drawn: to lay it out takes its time, too. */
+const picture = new MessageChannel();
+let seen = () => {};
+picture.port1.onmessage = () => seen();
+
 /** What takes too long for one picture goes on with the next; a part that fails keeps no other back. */
 function tell(left, spent) {
   const begin = performance.now();
@@ -55,16 +60,19 @@ function tell(left, spent) {
       reportError(failure);
     }
   }
-  const taken = spent + performance.now() - begin;
-  if (left.length > 0) {
-    requestAnimationFrame(() => tell(left, taken));
-    return;
-  }
-  isTelling = false;
-  freeAt = performance.now() + (SHARE - 1) * taken;
-  if (isToBeTold) {
-    tellSoon();
-  }
+  seen = () => {
+    const taken = spent + performance.now() - begin;
+    if (left.length > 0) {
+      requestAnimationFrame(() => tell(left, taken));
+      return;
+    }
+    isTelling = false;
+    freeAt = performance.now() + (SHARE - 1) * taken;
+    if (isToBeTold) {
+      tellSoon();
+    }
+  };
+  picture.port2.postMessage(null);
 }
 
 function tellSoon() {

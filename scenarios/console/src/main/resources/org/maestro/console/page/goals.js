@@ -1,5 +1,5 @@
 /** Goals: stating them, the list, and how far each is. */
-import { make, byId, redraw, choices, seconds } from "./dom.js";
+import { make, byId, redraw, choices, seconds, wholeSeconds } from "./dom.js";
 import { longTable } from "./list.js";
 import { state, age, ask } from "./feed.js";
 import { select, selection } from "./selection.js";
@@ -70,7 +70,7 @@ function startList() {
   listed = longTable(byId("goal-list"), "goals", [
     { name: "Goal", text: (goal) => `${goal.id} ${goal.goal}`, cell: (goal) => make("button", { class: "row", type: "button", title: goal.goal }, `${goal.id} ${goal.goal}`) },
     { name: "State", text: (goal) => goal.state, shown: (goal) => [goal.state, waits(goal), goal.detail].join("\n"), cell: stateOf },
-    { name: "Since", className: "number", text: (goal) => seconds(age(goal)), value: age },
+    { name: "Since", className: "number", text: (goal) => wholeSeconds(age(goal)), value: age },
     { name: "Worth", className: "wide number", text: worthText, value: (goal) => worthOf(goal) ?? UNWEIGHED, shown: (goal) => worthInWords(goal), cell: (goal) => make("span", { title: worthInWords(goal) }, worthText(goal)) },
     { name: "By", className: "wide state", text: (goal) => goal.requester ?? "–" },
     { name: "Waits for", className: "wide quiet", text: (goal) => waits(goal) || (isOver(goal) ? "" : goal.detail ?? "") },

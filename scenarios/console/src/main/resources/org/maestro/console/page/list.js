@@ -47,7 +47,11 @@ function rowsOf(columns, { isChosen = () => false, choose }) {
         const shown = (column.shown ?? column.text)(row);
         if (at.shown[c] !== shown) {
           at.shown[c] = shown;
-          redraw(at.cells[c], (column.cell ?? column.text)(row));
+          if (column.cell) {
+            redraw(at.cells[c], column.cell(row));
+          } else {
+            at.cells[c].textContent = column.text(row);
+          }
         }
       });
     });

@@ -1,5 +1,5 @@
 /** The floor plan: what the home has, and what is known of it. Truth that nobody has told is not drawn. */
-import { draw, byId, keyed, seconds } from "./dom.js";
+import { draw, byId, keyed, seconds, wholeSeconds } from "./dom.js";
 import { state, age, known, knownLast, isFormer } from "./feed.js";
 import { select, selection } from "./selection.js";
 
@@ -84,24 +84,38 @@ function lightOf(zone) {
   const light = knownLast("illuminance", zone.name);
   const isNow = light !== null && !isFormer(light);
   const lux = light ? `${Math.round(light.value)} lux${light.kind === "expected" ? " expected" : ""}` : "";
-  const told = isNow ? `${lux} · ${seconds(age(light))}` : light ? `was ${lux} ${seconds(age(light))} ago` : "light unknown";
+  const told = isNow ? `${lux} · ${wholeSeconds(age(light))}` : light ? `was ${lux} ${wholeSeconds(age(light))} ago` : "light unknown";
   return { value: isNow ? light.value : null, told };
 }
 
-function floor(zone, { value, told }, unit) {
-  const isNow = value !== null;
+function floor(zone, light, unit) {
   const [x, y] = middle(zone.outline);
   const top = Math.max(...zone.outline.map((point) => point[1]));
-  const ink = isNow ? (isDark(value) ? "on-dark" : "on-bright") : "label";
-  return draw("g", {},
-    draw("polygon", {
-      class: "room", points: points(zone.outline),
-      fill: isNow ? tint(value) : "url(#unknown)",
-    }, draw("title", {}, `${zone.label}: ${told}`)),
-    [[1.9, 1.1, zone.label, ""], [3.2, 1, told, "light"]].map(([down, size, text, kind]) => draw("text", {
-      x, y: -top + down * unit, "font-size": size * unit, "text-anchor": "middle",
-      class: `${ink} ${kind}`, "stroke-width": 0.3 * unit,
-    }, text)));
+  const text = (down, size, shown) => draw("text", {
+    x, y: -top + down * unit, "font-size": size * unit, "text-anchor": "middle", "stroke-width": 0.3 * unit,
+  }, shown);
+  return lit(draw("g", {},
+    draw("polygon", { class: "room", points: points(zone.outline) }, draw("title")),
+    text(1.9, 1.1, zone.label),
+    text(3.2, 1)), zone, light);
+}
+
+function put(element, name, value) {
+  if (element.getAttribute(name) !== value) {
+    element.setAttribute(name, value);
+  }
+}
+
+/** The same floor in the light that is known of now: of hundreds of rooms it becomes another one all the time. */
+function lit(element, zone, { value, told }) {
+  const [room, name, light] = element.children;
+  const ink = value === null ? "label" : isDark(value) ? "on-dark" : "on-bright";
+  put(room, "fill", value === null ? "url(#unknown)" : tint(value));
+  room.firstChild.textContent = `${zone.label}: ${told}`;
+  put(name, "class", ink);
+  put(light, "class", `${ink} light`);
+  light.textContent = told;
+  return element;
 }
 
 export function openness(door) {
@@ -300,8 +314,9 @@ export function drawMap() {
   const { unit, floors: zones, doors, signed } = layers.parts;
   const chosen = selection().thing;
   const { placed, nowhere } = sorted(signed);
-  const drawn = (thing, seeming, made) => [thing.name, Object.values(seeming).join("\n"), () => made(thing, seeming, unit)];
-  layers.floors(zones.map((zone) => drawn(zone, lightOf(zone), floor)));
+  const drawn = (thing, seeming, made, become) => [
+    thing.name, Object.values(seeming).join("\n"), () => made(thing, seeming, unit), become && ((element) => become(element, thing, seeming))];
+  layers.floors(zones.map((zone) => drawn(zone, lightOf(zone), floor, lit)));
   layers.doors(doors.map((door) => drawn(door, openness(door), opening)));
   layers.trails(placed.filter(([thing]) => is(thing, "MobileRobot")).map(([thing, where]) => {
     const way = points(follow(thing.name, where));

@@ -1,5 +1,5 @@
 /** Members and agents: who is there, and where it lives; who was lost stays in the list. */
-import { make, byId, redraw, choices, seconds } from "./dom.js";
+import { make, byId, redraw, choices, wholeSeconds } from "./dom.js";
 import { longTable } from "./list.js";
 import { state, age, ask } from "./feed.js";
 import { select, selection } from "./selection.js";
@@ -17,7 +17,7 @@ function startList() {
     { name: "Member", text: (agent) => agent.members.join(" "), cell: (agent) => make("button", { class: "row", type: "button" }, agent.members.join(" ")) },
     { name: "Bus", text: (agent) => agent.phase ?? "–", cell: phase },
     { name: "State", text: (agent) => agent.state ?? "–" },
-    { name: "For", className: "number", text: (agent) => seconds(age(agent)), value: age },
+    { name: "For", className: "number", text: (agent) => wholeSeconds(age(agent)), value: age },
     { name: "Container", className: "wide", text: (agent) => agent.container ?? "–" },
     { name: "Can", className: "wide quiet", text: (agent) => agent.services.join(", ") },
   ], {
