@@ -27,14 +27,22 @@ public final class ConstructionRules {
 
   private static final Map<String, String> CATEGORIES =
       Map.of(
-          Construction.Role.RELATION, "Where",
-          Construction.Role.CONDITION, "Cond",
-          "decimal", "Amount",
-          "double", "Amount",
-          "integer", "Amount",
-          "duration", "Span",
-          "time", "Clock",
-          "string", WORDS);
+          Construction.Role.RELATION,
+          "Where",
+          Construction.Role.CONDITION,
+          "Cond",
+          "decimal",
+          "Amount",
+          "double",
+          "Amount",
+          "integer",
+          "Amount",
+          "duration",
+          "Span",
+          "time",
+          "Clock",
+          "string",
+          WORDS);
 
   private static final String TEXT = "string";
 
