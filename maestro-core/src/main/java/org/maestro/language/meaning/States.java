@@ -125,7 +125,7 @@ final class States {
           .here()
           .filter(here -> references.phrases().relations().isA(new Term.Name(here), word.of()))
           .<Reference>map(here -> new Reference.Single(new Term.Name(here)))
-          .orElse(new Reference.None(where));
+          .orElse(where.is("_") ? new Reference.Mistyped(where) : new Reference.None(where));
     }
     return where.is("rel")
         ? references.phrases().resolve(where.part(1), word.of())
