@@ -16,6 +16,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.guard.Guard;
 import org.maestro.platform.guard.GuardedProfile;
 import org.maestro.platform.wires.WiredProfile;
+import org.maestro.platform.wires.Wires;
 
 /** Starts JADE containers, and agents in them. */
 public final class JadeRuntime {
@@ -93,9 +94,7 @@ public final class JadeRuntime {
       if (isFree) {
         container =
             begun(
-                () ->
-                    Runtime.instance()
-                        .createMainContainer(new WiredProfile(properties, shared.wires())));
+                () -> shared.wires().beforeOthers(() -> mainContainer(properties, shared.wires())));
         if (container.isPresent() && Sockets.isFree(premises.host(), port)) {
           // They ended after this one had taken them up, and before JADE had noted that.
           ContainerEnds.endNow(container.get());
@@ -109,6 +108,10 @@ public final class JadeRuntime {
             ? "JADE could not start, though its port " + port + " is free; the log says why."
             : "Port " + port + " was taken just now; choose another with --port.";
     return container.orElseThrow(() -> new PlatformStartException(problem));
+  }
+
+  private static AgentContainer mainContainer(Properties properties, Wires wires) {
+    return Runtime.instance().createMainContainer(new WiredProfile(properties, wires));
   }
 
   /** Joins with a container that takes no generic agents. */

@@ -55,6 +55,7 @@ final class IncomingConnection extends JICPConnection {
     }
     Socket socket = sc;
     try {
+      newcomers.awaitEntry();
       is = socket.getInputStream();
       socket.setSoTimeout(FIRST_WITHIN_MILLIS);
       JICPPacket first = bounded(is);

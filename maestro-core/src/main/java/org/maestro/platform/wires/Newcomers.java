@@ -1,6 +1,7 @@
 package org.maestro.platform.wires;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.net.Socket;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
@@ -11,7 +12,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Connections that others have made, and over which nothing has come yet that can be read. There
  * are so many at most; of more the oldest is let go, since a container speaks as soon as it is
- * connected. Thread-safe.
+ * connected. Nobody is listened to while they are held at the door. Thread-safe.
  */
 final class Newcomers {
   private static final Logger LOG = LoggerFactory.getLogger(Newcomers.class);
@@ -19,9 +20,35 @@ final class Newcomers {
   private final int most;
   private final Set<Socket> silent = new LinkedHashSet<>();
   private boolean crowded;
+  private boolean held;
 
   Newcomers(int most) {
     this.most = most;
+  }
+
+  synchronized void hold() {
+    held = true;
+  }
+
+  synchronized void letIn() {
+    held = false;
+    notifyAll();
+  }
+
+  /**
+   * Returns once nobody is held any more.
+   *
+   * @throws InterruptedIOException when the thread is interrupted before that
+   */
+  synchronized void awaitEntry() throws InterruptedIOException {
+    try {
+      while (held) {
+        wait();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("Interrupted at the door.");
+    }
   }
 
   /** It was made just now. */

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -51,6 +52,19 @@ public final class Wires {
     }
     if (open != null) {
       open.forEach(Wires::close);
+    }
+  }
+
+  /**
+   * Begins a main container. Its port answers before its own agents are there, and the container of
+   * another process that joined in between would break it: who comes early waits at the door.
+   */
+  public <T> T beforeOthers(Supplier<T> beginning) {
+    newcomers.hold();
+    try {
+      return beginning.get();
+    } finally {
+      newcomers.letIn();
     }
   }
 
