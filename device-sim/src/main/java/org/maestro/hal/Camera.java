@@ -15,11 +15,15 @@ public interface Camera {
   /** Light at an area's reference point from which the camera is specified to work; lux. */
   double minimumLux();
 
-  /** Light above which colours are washed out; lux. */
+  /**
+   * Light above which it trusts no colour; lux, infinite with one that does not notice that colours
+   * are washed out.
+   */
   double maximumLux();
 
   /**
-   * The chance that one frame shows a visible object that stands in so much light.
+   * The chance that one frame shows a visible object that stands in so much light, as far as the
+   * camera knows.
    *
    * @return 0 to 1
    */

@@ -31,9 +31,13 @@ class SightTest {
   }
 
   private static SimulatedCamera camera(Homes homes, long seed) {
+    return camera(homes, seed, LIKENESS);
+  }
+
+  private static SimulatedCamera camera(Homes homes, long seed, Likeness likeness) {
     return new SimulatedCamera(
         new Actuator("cam-b", homes.world(), homes.clock, new Random(seed)),
-        LIKENESS,
+        likeness,
         Eye.fixed(Pose.parse("4.5 1.5 2.8"), 75),
         SightTest::noPhoto);
   }
@@ -129,6 +133,20 @@ class SightTest {
       assertThat(camera.frameRate()).isEqualTo(15);
       Photo photo = homes.simulated.photo("cam-living");
       assertThat(List.of(photo.width(), photo.height())).containsExactly(1280, 720);
+    }
+  }
+
+  @Test
+  void aTrustingOneKnowsNoLightThatIsTooMuch() {
+    try (Homes homes = Homes.bob("bob-lit")) {
+      Camera noticing = camera(homes, 1);
+      assertThat(noticing.maximumLux()).isEqualTo(2000);
+      assertThat(noticing.detectability(60_000)).isLessThan(1e-6);
+      Camera trusting =
+          camera(homes, 1, new Likeness(PHYSICS.camera().trusting(), PHYSICS.colour()));
+      assertThat(trusting.maximumLux()).isInfinite();
+      assertThat(trusting.detectability(60_000)).isGreaterThan(0.98);
+      assertThat(trusting.detectability(19)).isLessThan(1e-20);
     }
   }
 

@@ -2,8 +2,10 @@ package org.maestro.platform;
 
 import jade.wrapper.AgentContainer;
 import jade.wrapper.AgentController;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.awaitility.Awaitility;
 import org.maestro.agents.runtime.Birth;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.platform.guard.Guard;
@@ -27,6 +29,8 @@ public final class BareJade implements AutoCloseable {
     this.files = files;
     this.port = Sockets.claim(0);
     this.main = JadeRuntime.main(name, port, files, guard);
+    // Its first agent writes that in its own time, which may be after a short test has ended.
+    Awaitility.await().until(() -> Files.exists(files.resolve("APDescription.txt")));
   }
 
   public int port() {

@@ -214,12 +214,12 @@ public final class SimulatedCamera implements Camera {
 
   @Override
   public double maximumLux() {
-    return data.maximumLux();
+    return data.noticesGlare() ? data.maximumLux() : Double.POSITIVE_INFINITY;
   }
 
   @Override
   public double detectability(double lux) {
-    return data.detectability(lux);
+    return data.noticesGlare() ? data.detectability(lux) : data.brightness(lux);
   }
 
   @Override

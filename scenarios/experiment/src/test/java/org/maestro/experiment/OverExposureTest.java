@@ -11,38 +11,58 @@ import org.maestro.coordination.api.StoryEntry;
 import org.maestro.experiment.setting.Setting;
 import org.maestro.experiment.setting.Settings;
 
-/** One run in clear sunshine under each condition. */
+/** A run of each half in clear sunshine, under each condition (M94, M96). */
 class OverExposureTest {
 
   @Test
-  void shuttersLetTheRunSucceedThatIsClaimedFalselyWithoutThem() throws IOException {
+  void shuttersLetTheRunsSucceedInWhichTheWrongThingIsTakenWithoutThem() throws IOException {
     Findings findings =
         CarriedOut.findings(
-            "over-exposure", 1, 1, Map.of("world.clouds", "0", "world.clouds.change", "0"));
+            "over-exposure", 2, 1, Map.of("world.clouds", "0", "world.clouds.change", "0"));
 
     CarriedOut.assertReadable(findings);
-    assertThat(findings.tables().get("runs").rows())
-        .as("condition, success, false claim")
-        .extracting(row -> row.get(8) + " " + row.get(3) + " " + row.get(11))
-        .containsExactly("paper false true", "noticing false false", "shutters true false");
-    assertThat(findings.tables().get("runs").rows())
-        .as("drove to an occupied place, metres astray, and where it headed last")
+    List<List<String>> runs = findings.tables().get("runs").rows();
+    assertThat(runs)
+        .as("condition, goal, success, false claim")
+        .extracting(row -> String.join(" ", row.get(8), row.get(2), row.get(3), row.get(11)))
+        .containsExactly(
+            "paper (nextTo GreenObject RedObject1) false true",
+            "paper (nextTo RedObject1 GreenObject) false false",
+            "noticing (nextTo GreenObject RedObject1) false false",
+            "noticing (nextTo RedObject1 GreenObject) false false",
+            "shutters (nextTo GreenObject RedObject1) true false",
+            "shutters (nextTo RedObject1 GreenObject) true false");
+    assertThat(runs)
+        .as("what was carried, whether it drove to an occupied place, and where it headed")
         .extracting(
-            row -> row.get(13), row -> row.get(14), row -> row.get(15).replaceAll(".*s: ", ""))
+            row ->
+                String.join(
+                    " ", row.get(12), row.get(13), row.get(15).replaceAll("[\\d.]+ s: ", "")))
         .satisfiesExactly(
-            paper ->
-                assertThat(paper.toList())
-                    .startsWith("true")
+            toRed ->
+                assertThat(toRed)
+                    .startsWith("GreenObject true")
                     .endsWith("puts down beside RedObject1, and there is RedObject2"),
-            noticing -> assertThat(noticing.toList()).containsExactly("false", "0.000", ""),
-            shutters ->
-                assertThat(shutters.toList())
-                    .containsExactly(
-                        "false", "0.000", "puts down beside RedObject1, and there is RedObject1"));
+            toGreen ->
+                assertThat(toGreen)
+                    .startsWith("RedObject2 true grasps RedObject1, and there is RedObject2"),
+            noticing -> assertThat(noticing).isEqualTo(" false "),
+            noticing -> assertThat(noticing).isEqualTo(" false "),
+            toRed ->
+                assertThat(toRed)
+                    .startsWith("GreenObject false")
+                    .endsWith("puts down beside RedObject1, and there is RedObject1"),
+            toGreen ->
+                assertThat(toGreen)
+                    .startsWith("RedObject1 false")
+                    .endsWith("puts down beside GreenObject, and there is GreenObject"));
+    assertThat(runs)
+        .as("metres astray")
+        .extracting(row -> Double.parseDouble(row.get(14)) > 0.5)
+        .containsExactly(true, true, false, false, false, false);
     assertThat(findings.page().html())
         .contains("The second half, red to green (compare figures 10 and 12)");
-    assertThat(findings.tables().get("runs").rows())
-        .allMatch(row -> row.get(3).equals("true") == row.get(7).isEmpty());
+    assertThat(runs).allMatch(row -> row.get(3).equals("true") == row.get(7).isEmpty());
   }
 
   /**

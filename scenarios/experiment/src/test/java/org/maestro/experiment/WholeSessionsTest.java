@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.maestro.experiment.drawing.Figure;
 
 /**
  * Experiments with as many runs as the papers report, or more (Three-layered architecture, 5.2 and
@@ -17,6 +18,9 @@ class WholeSessionsTest {
   private static final String PAPER = "cameras do not notice, as in the paper: ";
   private static final String NOTICING = "cameras notice: ";
   private static final String SHUTTERS = "cameras notice, and shutters: ";
+  private static final String PAPER_SECOND =
+      "cameras do not notice, as in the paper, red to green: ";
+  private static final String SHUTTERS_SECOND = "cameras notice, and shutters, red to green: ";
 
   @Test
   void twentyRunsReachTheirGoalInLittleMoreThanTheLeastTime() {
@@ -46,6 +50,31 @@ class WholeSessionsTest {
     assertThat(findings.tables().get("runs").rows())
         .as("replans")
         .allMatch(row -> Integer.parseInt(row.get(6)) < 10);
+  }
+
+  /**
+   * Within half an hour of a clear morning; later the cameras recognise nothing any more. As the
+   * paper tells it (M94), the robot heads for a place that another thing occupies.
+   */
+  @Test
+  void inTheSecondHalfOfTwentyRunsTheRobotHeadsForAnOccupiedPlace() {
+    Findings findings =
+        CarriedOut.findings(
+            "over-exposure",
+            20,
+            1,
+            Map.of("world.clouds", "0", "world.clouds.change", "0", "world.sun.minutes", "1.5"));
+
+    assertThat(value(findings, PAPER_SECOND + "runs")).isEqualTo(10);
+    assertThat(value(findings, PAPER_SECOND + "the wrong thing was taken")).isPositive();
+    assertThat(value(findings, PAPER_SECOND + "drove to an occupied place")).isPositive();
+    assertThat(value(findings, PAPER_SECOND + "strayed")).isPositive();
+    assertThat(value(findings, SHUTTERS + "reached")).isEqualTo(20);
+    assertThat(value(findings, SHUTTERS_SECOND + "drove to an occupied place")).isZero();
+    assertThat(value(findings, SHUTTERS_SECOND + "strayed")).isZero();
+    assertThat(findings.figures())
+        .extracting(Figure::name)
+        .contains("paper-heat-red-to-green", "shutters-heat-red-to-green");
   }
 
   @Test
