@@ -1,11 +1,11 @@
 package org.maestro.hal;
 
-/**
- * How long a sentence takes to be said: 150 words a minute, and a quarter more of them under
- * stress. Both are assumed, within what is usual of conversation in English.
- */
+/** How long a sentence takes to be said. */
 final class SpeakingTime {
+  /** 150 words a minute; assumed, within what is usual of conversation in English. */
   private static final double WORDS_PER_SECOND = 2.5;
+
+  /** Share of words more under stress; assumed. */
   private static final double QUICKER_UNDER_STRESS = 0.25;
 
   private SpeakingTime() {}

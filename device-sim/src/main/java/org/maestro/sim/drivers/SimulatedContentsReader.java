@@ -11,7 +11,7 @@ import org.maestro.sim.world.Body;
 
 /** A reader of the tags of what is in a container. It misses none (assumed). */
 final class SimulatedContentsReader implements ContentsReader {
-  /** Assumed. */
+  /** Time of a reading; assumed. */
   private static final double READING_SECONDS = 1;
 
   private final Actuator actuator;

@@ -15,9 +15,10 @@ final class SimulatedFingers implements Hand {
 
   private static final double CENTIMETRES = 100;
 
-  /** Assumed; so is the following. */
+  /** Time of the fingers to close; assumed. */
   private static final double CLOSE_SECONDS = 1.5;
 
+  /** Time of the fingers to open; assumed. */
   private static final double LET_GO_SECONDS = 0.5;
 
   private final Actuator actuator;

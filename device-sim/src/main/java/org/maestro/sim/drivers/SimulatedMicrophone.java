@@ -19,11 +19,16 @@ final class SimulatedMicrophone implements Microphone, Talk.Listener {
   private static final double STRETCH_SECONDS = 0.1;
   private static final double NANOS = 1e9;
 
-  /** Of the full scale; all assumed. */
+  /** Share of the full scale that a quiet room's noise has; assumed. */
   private static final double NOISE = 0.002;
 
+  /** The same of a voice; assumed. */
   private static final double VOICE = 0.2;
+
+  /** The same of a tone; assumed. */
   private static final double TONE = 0.25;
+
+  /** Pitch of a voice; assumed. */
   private static final double VOICE_HERTZ = 120;
 
   private final Actuator actuator;

@@ -1,14 +1,27 @@
 package org.maestro.sim.parameters;
 
-/**
- * The speed, size and power of a robot's base.
- *
- * @param speed youBot data sheet: 0.8 m/s; reached at once (assumed)
- * @param radius youBot data sheet: 580 mm by 380 mm, the circle around it
- * @param power watts while driving; assumed from 24 V, 5 Ah and 90 minutes
- * @param checkSeconds how often the scanner looks for what came in the way; assumed
- */
-public record BaseData(double speed, double radius, double power, double checkSeconds) {
+/** The speed, size and power of a robot's base. */
+public record BaseData(
+    @Quantity(
+            meaning = "speed of a driving robot",
+            unit = "m/s",
+            source = "youBot data sheet: 0.8; that it is reached at once is assumed")
+        double speed,
+    @Quantity(
+            meaning = "radius of the circle around it",
+            unit = "m",
+            source = "youBot data sheet: 580 mm by 380 mm")
+        double radius,
+    @Quantity(
+            meaning = "power while driving",
+            unit = "W",
+            source = "assumed from 24 V, 5 Ah and 90 minutes")
+        double power,
+    @Quantity(
+            meaning = "how often the scanner looks for what came in the way",
+            unit = "s",
+            source = "assumed")
+        double checkSeconds) {
   public static final BaseData YOUBOT = new BaseData(0.8, 0.347, 80, 0.25);
 
   public BaseData {

@@ -4,19 +4,27 @@ import org.maestro.sim.scene.SimulationException;
 
 /**
  * The capacity of a robot's battery, and what draws from it beside base and arm while they move.
- *
- * @param wattHours KUKA youBot data sheet: 24 V, 5 Ah
- * @param idleWatts of computer, scanner and camera; assumed
- * @param chargingWatts that a station gives; assumed from 24 V and 8 A
- * @param worthTelling share of the charge after which it is told anew; assumed
- * @param checkSeconds how often it is looked at; assumed
  */
 public record BatteryData(
-    double wattHours,
-    double idleWatts,
-    double chargingWatts,
-    double worthTelling,
-    double checkSeconds) {
+    @Quantity(
+            meaning = "energy of a full battery",
+            unit = "Wh",
+            source = "KUKA youBot data sheet: 24 V, 5 Ah")
+        double wattHours,
+    @Quantity(meaning = "power of computer, scanner and camera", unit = "W", source = "assumed")
+        double idleWatts,
+    @Quantity(
+            meaning = "power that a station gives",
+            unit = "W",
+            source = "assumed from 24 V and 8 A")
+        double chargingWatts,
+    @Quantity(
+            meaning = "share of the charge after which it is told anew",
+            unit = "1",
+            source = "assumed")
+        double worthTelling,
+    @Quantity(meaning = "how often it is looked at", unit = "s", source = "assumed")
+        double checkSeconds) {
   static final BatteryData YOUBOT = new BatteryData(120, 20, 192, 0.05, 5);
   private static final double SECONDS_PER_HOUR = 3600;
 

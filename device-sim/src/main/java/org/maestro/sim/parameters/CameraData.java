@@ -3,35 +3,58 @@ package org.maestro.sim.parameters;
 /**
  * The images that a camera takes, and the light in which its detection finds things by their
  * colour.
- *
- * @param frameRate frames a second, unless the home states it; paper 4.1: 30
- * @param width of an image, pixels, unless the home states it; paper 4.1: 1080p
- * @param height of an image, pixels
- * @param minimumLux paper 5.1: about 72 lux is the critical threshold
- * @param maximumLux assumed: colours wash out from 2,000 lux on
- * @param halfLux light in which half of the frames show an object; assumed a little under the
- *     threshold
- * @param slopeLux steepness of the logistic around it; assumed: at the threshold 98 % of the frames
- *     show it
- * @param washedOutSlopeLux the same around {@code maximumLux} times 1.1; assumed
- * @param noise of positions: standard deviation per metre of distance, each axis; assumed 1 %
- *     (calibration; a pixel is 2 mm at 2.8 m)
- * @param lightError standard deviation of the light estimated from images, relative; assumed
- * @param noticesGlare whether its software says nothing of images in which something is over-lit;
- *     assumed that it does. The paper's (5.2) did not: another thing was taken for the wanted one
  */
 public record CameraData(
-    double frameRate,
-    int width,
-    int height,
-    double minimumLux,
-    double maximumLux,
-    double halfLux,
-    double slopeLux,
-    double washedOutSlopeLux,
-    double noise,
-    double lightError,
-    boolean noticesGlare) {
+    @Quantity(
+            meaning = "images that it takes, unless the home states it",
+            unit = "per s",
+            source = "paper 4.1: 30")
+        double frameRate,
+    @Quantity(
+            meaning = "width of an image, unless the home states it",
+            unit = "pixels",
+            source = "paper 4.1: 1080p")
+        int width,
+    @Quantity(meaning = "height of an image", unit = "pixels", source = "paper 4.1: 1080p")
+        int height,
+    @Quantity(
+            meaning = "light at the reference point of an area from which things in it are found",
+            unit = "lux",
+            source = "paper 5.1: about 72 is the critical threshold")
+        double minimumLux,
+    @Quantity(meaning = "light above which colours wash out", unit = "lux", source = "assumed")
+        double maximumLux,
+    @Quantity(
+            meaning = "light in which half of the frames show an object",
+            unit = "lux",
+            source = "assumed: a little under the threshold")
+        double halfLux,
+    @Quantity(
+            meaning = "steepness of the logistic around that",
+            unit = "lux",
+            source = "assumed: at the threshold 98 % of the frames show it")
+        double slopeLux,
+    @Quantity(
+            meaning = "the same around 1.1 times the light above which colours wash out",
+            unit = "lux",
+            source = "assumed")
+        double washedOutSlopeLux,
+    @Quantity(
+            meaning = "standard deviation of a position on each axis, per metre of distance",
+            unit = "m/m",
+            source = "assumed: calibration; a pixel is 2 mm at 2.8 m")
+        double noise,
+    @Quantity(
+            meaning = "standard deviation of the light estimated from images, relative",
+            unit = "1",
+            source = "assumed")
+        double lightError,
+    @Quantity(
+            meaning =
+                "whether its software says nothing of images in which something is over-lit; the paper's (5.2) did not: another thing was taken for the wanted one",
+            unit = "true or false",
+            source = "assumed that it does")
+        boolean noticesGlare) {
   public static final CameraData LIFECAM =
       new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true);
   private static final double WASHED_OUT_HALF = 1.1;

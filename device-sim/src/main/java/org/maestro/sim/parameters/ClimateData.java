@@ -6,24 +6,38 @@ import org.maestro.sim.scene.SimulationException;
  * What the warmth of rooms follows from. Each zone is one heat capacity that loses heat outdoors
  * and is heated or not; neither sun nor people nor other zones warm it, and it is as warm outdoors
  * all day, which is assumed.
- *
- * @param outsideCelsius how warm it is outdoors unless the scene says so; assumed, a mild winter's
- *     day
- * @param insideCelsius how warm a zone is in the beginning unless the scene says so; assumed
- * @param capacity heat that a square metre of floor stores; watt-hours per kelvin. ISO 13790, table
- *     12: 165 kJ/K for a building of medium weight
- * @param loss heat that a square metre of floor loses outdoors; watts per kelvin, assumed
- * @param heating what a heating that is on gives each square metre; watts, assumed
- * @param hysteresis a thermostat heats from so many kelvins below its target to so many above it;
- *     assumed
  */
 public record ClimateData(
-    double outsideCelsius,
-    double insideCelsius,
-    double capacity,
-    double loss,
-    double heating,
-    double hysteresis) {
+    @Quantity(
+            meaning = "how warm it is outdoors unless the scene says so",
+            unit = "°C",
+            source = "assumed: a mild winter's day")
+        double outsideCelsius,
+    @Quantity(
+            meaning = "how warm a zone is in the beginning unless the scene says so",
+            unit = "°C",
+            source = "assumed")
+        double insideCelsius,
+    @Quantity(
+            meaning = "heat that a square metre of floor stores",
+            unit = "Wh/(m² K)",
+            source = "ISO 13790, table 12: 165 kJ/K for a building of medium weight")
+        double capacity,
+    @Quantity(
+            meaning = "heat that a square metre of floor loses outdoors",
+            unit = "W/(m² K)",
+            source = "assumed")
+        double loss,
+    @Quantity(
+            meaning = "what a heating that is on gives each square metre",
+            unit = "W/m²",
+            source = "assumed")
+        double heating,
+    @Quantity(
+            meaning = "a thermostat heats from so much below its target to so much above it",
+            unit = "K",
+            source = "assumed")
+        double hysteresis) {
   static final ClimateData USUAL = new ClimateData(5, 20, 46, 1.5, 100, 0.25);
 
   private static final double SECONDS_PER_HOUR = 3600;

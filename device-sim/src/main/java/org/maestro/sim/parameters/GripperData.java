@@ -1,29 +1,46 @@
 package org.maestro.sim.parameters;
 
-/**
- * A jamming gripper: a bag of grains at the end of an arm.
- *
- * @param bagDiameter of the soft bag, a ball; metres; assumed, as the paper does not state it
- * @param vacuum pressure below the air's when the bag is evacuated; kilopascals; assumed, what a
- *     small pump reaches
- * @param pinch share of that with which the stiff bag presses upon the sides of what it wraps;
- *     assumed, which makes some tens of newtons
- * @param friction of the membrane on things; assumed for latex
- * @param lip so much of a wrapped side bears nothing, as the membrane bends away from it at its
- *     edge; metres; assumed
- * @param pressSeconds assumed
- * @param evacuateSeconds a jamming gripper's evacuation takes about a second (Brown et al. 2010)
- * @param inflateSeconds until positive pressure has softened the bag; assumed
- */
+/** A jamming gripper: a bag of grains at the end of an arm. */
 public record GripperData(
-    double bagDiameter,
-    double vacuum,
-    double pinch,
-    double friction,
-    double lip,
-    double pressSeconds,
-    double evacuateSeconds,
-    double inflateSeconds) {
+    @Quantity(
+            meaning = "diameter of the soft bag, a ball",
+            unit = "m",
+            source = "assumed, as the paper does not state it")
+        double bagDiameter,
+    @Quantity(
+            meaning = "pressure below the air's when the bag is evacuated",
+            unit = "kPa",
+            source = "assumed: what a small pump reaches")
+        double vacuum,
+    @Quantity(
+            meaning =
+                "share of that with which the stiff bag presses upon the sides of what it wraps",
+            unit = "1",
+            source = "assumed: it makes some tens of newtons")
+        double pinch,
+    @Quantity(
+            meaning = "friction of the membrane on things",
+            unit = "1",
+            source = "assumed for latex")
+        double friction,
+    @Quantity(
+            meaning =
+                "how much of a wrapped side bears nothing, as the membrane bends away from it at its edge",
+            unit = "m",
+            source = "assumed")
+        double lip,
+    @Quantity(meaning = "time for pressing the bag upon a thing", unit = "s", source = "assumed")
+        double pressSeconds,
+    @Quantity(
+            meaning = "time for evacuating it",
+            unit = "s",
+            source = "Brown et al. 2010: about a second")
+        double evacuateSeconds,
+    @Quantity(
+            meaning = "time until positive pressure has softened the bag",
+            unit = "s",
+            source = "assumed")
+        double inflateSeconds) {
   public static final GripperData USUAL = new GripperData(0.1, 75, 0.1, 1, 0.01, 0.5, 1, 0.5);
 
   /** The width of the widest thing that the bag gets around; metres. */

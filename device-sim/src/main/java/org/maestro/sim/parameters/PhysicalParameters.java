@@ -6,11 +6,14 @@ import org.maestro.sim.scene.SimulationException;
 /**
  * Every number of the simulated physics, each with its source; "assumed" means stated here and
  * nowhere measured. Each can be given another value by its name ({@link PhysicalSettings}).
- *
- * @param shutters whether the shutters of a home are there; without them its windows stand free
  */
 public record PhysicalParameters(
-    boolean shutters,
+    @Quantity(
+            meaning =
+                "whether the shutters of a home are there; without them its windows stand free",
+            unit = "true or false",
+            source = "a condition, not a measure")
+        boolean shutters,
     CameraData camera,
     ColourData colour,
     ImageData image,

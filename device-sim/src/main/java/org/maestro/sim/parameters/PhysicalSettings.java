@@ -62,6 +62,25 @@ public final class PhysicalSettings {
     return Map.entry(text.substring(0, equals).strip(), text.substring(equals + 1).strip());
   }
 
+  /** What each of them is, by its name, in the same order. */
+  public static Map<String, Quantity> quantities() {
+    Map<String, Quantity> quantities = new LinkedHashMap<>();
+    describe(WORLD, PhysicalParameters.class, quantities);
+    return Collections.unmodifiableMap(quantities);
+  }
+
+  private static void describe(String name, Class<?> group, Map<String, Quantity> quantities) {
+    for (RecordComponent part : group.getRecordComponents()) {
+      String whole = name + "." + part.getName();
+      Quantity quantity = part.getAnnotation(Quantity.class);
+      if (quantity == null) {
+        describe(whole, part.getType(), quantities);
+      } else {
+        quantities.put(whole, quantity);
+      }
+    }
+  }
+
   private static void collect(String name, Object value, Map<String, String> settings) {
     if (value instanceof Record group) {
       for (RecordComponent part : group.getClass().getRecordComponents()) {

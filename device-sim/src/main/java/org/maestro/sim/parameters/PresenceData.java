@@ -1,20 +1,26 @@
 package org.maestro.sim.parameters;
 
-/**
- * A radar that notices persons, moving or at rest, as such sensors for ceilings and walls do.
- *
- * @param everySeconds how often it looks; assumed
- * @param leastRadius of a body that it takes for a person; metres, assumed
- * @param missShare how often it does not notice who is there, 0 to 1; assumed never
- * @param falseShare how often it notices nobody as somebody, 0 to 1; assumed never
- * @param errorSeconds how long such an error lasts; assumed
- */
+/** A radar that notices persons, moving or at rest, as such sensors for ceilings and walls do. */
 public record PresenceData(
-    double everySeconds,
-    double leastRadius,
-    double missShare,
-    double falseShare,
-    double errorSeconds) {
+    @Quantity(meaning = "time between two looks", unit = "s", source = "assumed")
+        double everySeconds,
+    @Quantity(
+            meaning = "radius of a body that it takes for a person",
+            unit = "m",
+            source = "assumed")
+        double leastRadius,
+    @Quantity(
+            meaning = "how often it does not notice who is there, 0 to 1",
+            unit = "1",
+            source = "assumed: never")
+        double missShare,
+    @Quantity(
+            meaning = "how often it notices nobody as somebody, 0 to 1",
+            unit = "1",
+            source = "assumed: never")
+        double falseShare,
+    @Quantity(meaning = "how long such an error lasts", unit = "s", source = "assumed")
+        double errorSeconds) {
   static final PresenceData USUAL = new PresenceData(1, 0.15, 0, 0, 10);
 
   public PresenceData {

@@ -3,15 +3,29 @@ package org.maestro.sim.parameters;
 /**
  * A sensor that tells persons apart, with its errors. No maker states such numbers for homes: all
  * of them are assumed.
- *
- * @param everySeconds how often it looks
- * @param missShare how often it does not notice a person who is there, 0 to 1
- * @param falseShare how often it takes a person to be there who is not, 0 to 1
- * @param errorSeconds how long an error lasts, as it comes from where somebody stands or how she
- *     turns
  */
 public record RecognitionData(
-    double everySeconds, double missShare, double falseShare, double errorSeconds) {
+    @Quantity(
+            meaning = "time between two looks",
+            unit = "s",
+            source = "assumed; no maker states such numbers for homes")
+        double everySeconds,
+    @Quantity(
+            meaning = "how often it does not notice a person who is there, 0 to 1",
+            unit = "1",
+            source = "assumed")
+        double missShare,
+    @Quantity(
+            meaning = "how often it takes a person to be there who is not, 0 to 1",
+            unit = "1",
+            source = "assumed")
+        double falseShare,
+    @Quantity(
+            meaning =
+                "how long an error lasts, as it comes from where somebody stands or how she turns",
+            unit = "s",
+            source = "assumed")
+        double errorSeconds) {
 
   /** A camera: faces turn away. */
   static final RecognitionData OF_FACES = new RecognitionData(1, 0.1, 0.005, 10);

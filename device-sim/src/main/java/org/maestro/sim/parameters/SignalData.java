@@ -3,22 +3,32 @@ package org.maestro.sim.parameters;
 /**
  * A signal with one peak, and what a robot does with it. The paper tells no number of its field
  * server (ADE, 4): all are assumed.
- *
- * @param peak strength at the peak
- * @param halfMetres so far from the peak half of it is left; it falls as 1 / (1 + (d /
- *     halfMetres)²)
- * @param marginMetres the peak is no nearer than this to the edge of the areas that are mapped
- * @param needed the least strength with which something can be transmitted
- * @param readSeconds what a reading takes
- * @param transmitSeconds what a transmission takes
  */
 public record SignalData(
-    double peak,
-    double halfMetres,
-    double marginMetres,
-    double needed,
-    double readSeconds,
-    double transmitSeconds) {
+    @Quantity(
+            meaning = "strength at the peak",
+            unit = "1",
+            source = "assumed; the paper tells no number of its field server (ADE, 4)")
+        double peak,
+    @Quantity(
+            meaning =
+                "distance from the peak at which half of it is left; it falls as 1 / (1 + (d / halfMetres)²)",
+            unit = "m",
+            source = "assumed")
+        double halfMetres,
+    @Quantity(
+            meaning = "least distance of the peak from the edge of the areas that are mapped",
+            unit = "m",
+            source = "assumed")
+        double marginMetres,
+    @Quantity(
+            meaning = "least strength with which something can be transmitted",
+            unit = "1",
+            source = "assumed")
+        double needed,
+    @Quantity(meaning = "time of a reading", unit = "s", source = "assumed") double readSeconds,
+    @Quantity(meaning = "time of a transmission", unit = "s", source = "assumed")
+        double transmitSeconds) {
   static final SignalData USUAL = new SignalData(100, 5, 2, 80, 1, 3);
 
   public SignalData {

@@ -5,16 +5,25 @@ import java.util.List;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Pose;
 
-/**
- * The views of a camera on a robot that looks around: from its mast, turning with the base.
- *
- * @param height of the lens; metres; assumed
- * @param downDegrees how far it is tilted down, so that it sees the floor beside its own base;
- *     assumed
- * @param overlap part of the angle of view that neighbouring views share; assumed
- * @param seconds for turning around once; youBot data sheet: about 90 degrees a second
- */
-public record TurnData(double height, double downDegrees, double overlap, double seconds) {
+/** The views of a camera on a robot that looks around: from its mast, turning with the base. */
+public record TurnData(
+    @Quantity(meaning = "height of the lens on a robot", unit = "m", source = "assumed")
+        double height,
+    @Quantity(
+            meaning = "how far it is tilted down, so that it sees the floor beside its own base",
+            unit = "degrees",
+            source = "assumed")
+        double downDegrees,
+    @Quantity(
+            meaning = "part of the angle of view that neighbouring views share",
+            unit = "1",
+            source = "assumed")
+        double overlap,
+    @Quantity(
+            meaning = "time for turning around once",
+            unit = "s",
+            source = "youBot data sheet: about 90 degrees a second")
+        double seconds) {
   static final TurnData YOUBOT = new TurnData(0.6, 35, 0.4, 4);
   private static final double FULL_CIRCLE = 360;
 

@@ -9,7 +9,7 @@ import org.maestro.experiment.measuring.Interval;
 import org.maestro.experiment.measuring.Spread;
 import org.maestro.experiment.page.Page;
 
-/** The page of an exploration: what was measured, what was assumed, and what is not claimed. */
+/** The page of an exploration: what was measured, on what it rests, and what is not claimed. */
 final class ExplorationPage {
   private ExplorationPage() {}
 

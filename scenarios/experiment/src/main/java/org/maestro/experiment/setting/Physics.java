@@ -1,14 +1,15 @@
 package org.maestro.experiment.setting;
 
-import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.parameters.PhysicalSettings;
+import org.maestro.sim.parameters.Quantity;
 
 /**
  * The physics that can be set in experiments: every number of {@link PhysicalParameters}, by its
@@ -17,6 +18,8 @@ import org.maestro.sim.parameters.PhysicalSettings;
 public final class Physics {
   private static final Map<String, String> USUAL =
       PhysicalSettings.of(PhysicalParameters.standard());
+  private static final Map<String, Quantity> QUANTITIES = PhysicalSettings.quantities();
+  private static final Set<String> WITHOUT_UNIT = Set.of("1", "true or false");
 
   /**
    * Of hardware that no home of the papers' experiments has: wheels of their own and cameras on
@@ -73,18 +76,12 @@ public final class Physics {
         name,
         Objects.requireNonNull(USUAL.get(name)),
         new Setting.Range.Physical(),
-        "physics; what it is, its unit and its source are stated in " + statedIn(name));
+        meaning(Objects.requireNonNull(QUANTITIES.get(name))));
   }
 
-  private static String statedIn(String name) {
-    String part = name.split("\\.")[1];
-    return Arrays.stream(PhysicalParameters.class.getRecordComponents())
-        .filter(component -> component.getName().equals(part))
-        .map(RecordComponent::getType)
-        .filter(Class::isRecord)
-        .findFirst()
-        .orElse(PhysicalParameters.class)
-        .getSimpleName();
+  private static String meaning(Quantity quantity) {
+    String unit = WITHOUT_UNIT.contains(quantity.unit()) ? "" : ", " + quantity.unit();
+    return quantity.meaning() + unit + "; " + quantity.source();
   }
 
   public static PhysicalParameters of(Settings settings) {
