@@ -239,16 +239,18 @@ final class MessageReading {
             .or(() -> named(message, "at").flatMap(one -> number(one.arguments())))
             .or(() -> named(message, "after").flatMap(one -> number(one.arguments())));
     boolean isSpan = message.operator().equals("after") || named(message, "after").isPresent();
-    String every =
-        named(message, "every")
-            .map(
-                days ->
-                    days.arguments().stream()
-                        .map(SlPrinter::print)
-                        .collect(Collectors.joining(" ", " :every \"", "\"")))
-            .orElse("");
-    return number.map(
-        value -> isSpan ? SlPrinter.print(value) : "\"" + clock(value) + "\"" + every);
+    String days = days(message, "every") + days(message, "on");
+    return number.map(value -> isSpan ? SlPrinter.print(value) : "\"" + clock(value) + "\"" + days);
+  }
+
+  private static String days(Content message, String word) {
+    return named(message, word)
+        .map(
+            days ->
+                days.arguments().stream()
+                    .map(SlPrinter::print)
+                    .collect(Collectors.joining(" ", " :" + word + " \"", "\"")))
+        .orElse("");
   }
 
   private static Optional<Double> number(List<Content.Argument> arguments) {

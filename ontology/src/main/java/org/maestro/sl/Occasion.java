@@ -15,11 +15,18 @@ public sealed interface Occasion {
    * A time as clocks on the wall show it.
    *
    * @param date empty: the next day on which it is that time
-   * @param every the days of the week on which it comes again; none: it comes once
+   * @param days of the week on which it comes; none: on any
+   * @param again whether it comes on each of them; else once, on the next
    */
-  record At(Optional<LocalDate> date, LocalTime time, Set<DayOfWeek> every) implements Occasion {
+  record At(Optional<LocalDate> date, LocalTime time, Set<DayOfWeek> days, boolean again)
+      implements Occasion {
     public At {
-      every = every.isEmpty() ? Set.of() : Collections.unmodifiableSet(EnumSet.copyOf(every));
+      days = days.isEmpty() ? Set.of() : Collections.unmodifiableSet(EnumSet.copyOf(days));
+    }
+
+    /** Once, on any day of the week. */
+    public static At once(Optional<LocalDate> date, LocalTime time) {
+      return new At(date, time, Set.of(), false);
     }
   }
 

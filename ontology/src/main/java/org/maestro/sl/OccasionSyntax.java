@@ -30,12 +30,15 @@ final class OccasionSyntax {
   private static final String SECONDS = "seconds, a number from 0 to 1000000000";
   private static final String DAYS =
       "\"day\", or days of the week in quotes, such as \"Monday Friday\"";
+  private static final String DAYS_ALONE = "days of the week in quotes, such as \"Friday\"";
   private static final String A_GOAL = "a goal";
   private static final double MOST_SECONDS = 1e9;
 
   private static final Pattern TIME =
       Pattern.compile("(?:(\\d{4}-\\d\\d-\\d\\d) )?(\\d\\d:\\d\\d(?::\\d\\d)?)");
   private static final String EACH_DAY = "day";
+  private static final String EVERY = "every";
+  private static final String ON = "on";
 
   private final Function<Node, Formula> formulas;
   private final Function<Node, Formula> goals;
@@ -67,10 +70,10 @@ final class OccasionSyntax {
     List<Node> rest = group.rest();
     return switch (group.head()) {
       case AT -> {
-        boolean again = rest.size() > 1 && isLeaf(rest.get(1), Node.Kind.KEYWORD);
-        group.expectOperands(again ? 4 : 2, A_TIME + ", and a goal");
+        boolean hasDays = rest.size() > 1 && isLeaf(rest.get(1), Node.Kind.KEYWORD);
+        group.expectOperands(hasDays ? 4 : 2, A_TIME + ", and a goal");
         yield new Formula.Upon(
-            again ? again(rest) : time(rest.get(0)), goals.apply(rest.get(again ? 3 : 1)));
+            hasDays ? onDays(rest) : time(rest.get(0)), goals.apply(rest.get(hasDays ? 3 : 1)));
       }
       case AFTER -> {
         group.expectOperands(2, SECONDS + ", and a goal");
@@ -101,10 +104,9 @@ final class OccasionSyntax {
       Matcher written = TIME.matcher(leaf.text());
       if (written.matches()) {
         try {
-          return new Occasion.At(
+          return Occasion.At.once(
               Optional.ofNullable(written.group(1)).map(LocalDate::parse),
-              LocalTime.parse(written.group(2)),
-              Set.of());
+              LocalTime.parse(written.group(2)));
         } catch (DateTimeException e) {
           throw node.fault(A_TIME);
         }
@@ -113,23 +115,29 @@ final class OccasionSyntax {
     throw node.fault(A_TIME);
   }
 
-  private static Occasion.At again(List<Node> rest) {
+  private static Occasion.At onDays(List<Node> rest) {
     Occasion.At first = time(rest.get(0));
-    if (!((Node.Leaf) rest.get(1)).text().equals("every")) {
-      throw rest.get(1).fault(":every or a goal");
+    String word = ((Node.Leaf) rest.get(1)).text();
+    boolean again = word.equals(EVERY);
+    if (!again && !word.equals(ON)) {
+      throw rest.get(1).fault(":every, :on or a goal");
     }
     if (first.date().isPresent()) {
-      throw rest.get(0).fault("a time without a date before :every");
+      throw rest.get(0).fault("a time without a date before :every and :on");
     }
-    return new Occasion.At(Optional.empty(), first.time(), days(rest.get(2)));
+    Set<DayOfWeek> days = again ? days(rest.get(2)) : daysOfTheWeek(rest.get(2), DAYS_ALONE);
+    return new Occasion.At(Optional.empty(), first.time(), days, again);
   }
 
   private static Set<DayOfWeek> days(Node node) {
+    return isLeaf(node, Node.Kind.STRING) && ((Node.Leaf) node).text().equals(EACH_DAY)
+        ? EnumSet.allOf(DayOfWeek.class)
+        : daysOfTheWeek(node, DAYS);
+  }
+
+  private static Set<DayOfWeek> daysOfTheWeek(Node node, String expected) {
     if (!(node instanceof Node.Leaf leaf) || leaf.kind() != Node.Kind.STRING) {
-      throw node.fault(DAYS);
-    }
-    if (leaf.text().equals(EACH_DAY)) {
-      return EnumSet.allOf(DayOfWeek.class);
+      throw node.fault(expected);
     }
     Set<DayOfWeek> days = EnumSet.noneOf(DayOfWeek.class);
     for (String word : leaf.text().split("[ ,]+")) {
@@ -137,7 +145,7 @@ final class OccasionSyntax {
           List.of(DayOfWeek.values()).stream()
               .filter(day -> day.name().equalsIgnoreCase(word))
               .findFirst()
-              .orElseThrow(() -> node.fault(DAYS)));
+              .orElseThrow(() -> node.fault(expected)));
     }
     return days;
   }
@@ -157,8 +165,7 @@ final class OccasionSyntax {
     Occasion occasion = bound.occasion();
     if (occasion instanceof Occasion.At at) {
       String time = at.date().map(date -> date + " ").orElse("") + at.time();
-      return "(%s \"%s\"%s"
-          .formatted(bound instanceof Formula.Until ? UNTIL : AT, time, every(at.every()));
+      return "(%s \"%s\"%s".formatted(bound instanceof Formula.Until ? UNTIL : AT, time, days(at));
     } else if (occasion instanceof Occasion.After after) {
       return "(%s %s"
           .formatted(
@@ -171,15 +178,15 @@ final class OccasionSyntax {
             SlPrinter.print(event.condition()));
   }
 
-  private static String every(Set<DayOfWeek> days) {
-    if (days.isEmpty()) {
+  private static String days(Occasion.At at) {
+    if (at.days().isEmpty()) {
       return "";
     }
     String words =
-        days.size() == DayOfWeek.values().length
+        at.again() && at.days().size() == DayOfWeek.values().length
             ? EACH_DAY
-            : String.join(" ", days.stream().map(OccasionSyntax::name).toList());
-    return " :every \"" + words + "\"";
+            : String.join(" ", at.days().stream().map(OccasionSyntax::name).toList());
+    return " :%s \"%s\"".formatted(at.again() ? EVERY : ON, words);
   }
 
   private static String name(DayOfWeek day) {

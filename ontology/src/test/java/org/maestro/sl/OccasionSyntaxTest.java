@@ -34,12 +34,18 @@ class OccasionSyntaxTest {
     assertThat(SlParser.formula("(at \"07:00\" :every \"friday, Monday\" (goodNight))"))
         .isEqualTo(
             at(Optional.empty(), LocalTime.of(7, 0), Set.of(DayOfWeek.MONDAY, DayOfWeek.FRIDAY)));
+    assertThat(SlParser.formula("(at \"07:00\" :on \"friday\" (goodNight))"))
+        .isEqualTo(
+            new Formula.Upon(
+                new Occasion.At(
+                    Optional.empty(), LocalTime.of(7, 0), Set.of(DayOfWeek.FRIDAY), false),
+                GOOD_NIGHT));
     assertThat(SlPrinter.print(SlParser.formula("(at \"07:00\" :every \"day\" (goodNight))")))
         .isEqualTo("(at \"07:00\" :every \"day\" (goodNight))");
   }
 
   private static Formula at(Optional<LocalDate> date, LocalTime time, Set<DayOfWeek> every) {
-    return new Formula.Upon(new Occasion.At(date, time, every), GOOD_NIGHT);
+    return new Formula.Upon(new Occasion.At(date, time, every, !every.isEmpty()), GOOD_NIGHT);
   }
 
   @ParameterizedTest
@@ -65,7 +71,8 @@ class OccasionSyntaxTest {
         "(at \"soon\" (x))|5|a time in quotes, such as \"22:30\"",
         "(at soon (x))|5|a time in quotes, such as \"22:30\"",
         "(at \"22:30\")|12|a time in quotes, such as \"22:30\" or \"2026-12-24 18:00\", and a goal",
-        "(at \"22:30\" :each \"day\" (x))|13|:every or a goal",
+        "(at \"22:30\" :each \"day\" (x))|13|:every, :on or a goal",
+        "(at \"22:30\" :on \"day\" (x))|17|days of the week in quotes, such as \"Friday\"",
         "(at \"22:30\" :every \"noon\" (x))|20|\"day\", or days of the week in quotes",
         "(at \"2026-12-24 18:00\" :every \"day\" (x))|5|a time without a date before :every",
         "(after -1 (x))|8|seconds, a number from 0",
@@ -124,10 +131,13 @@ class OccasionSyntaxTest {
         Combinators.combine(
                 Arbitraries.integers().between(0, 40_000).map(LocalDate::ofEpochDay).optional(),
                 times)
-            .as((date, time) -> new Occasion.At(date, time, Set.of()));
+            .as(Occasion.At::once);
     Arbitrary<Occasion> again =
-        Combinators.combine(times, Arbitraries.of(DayOfWeek.class).set().ofMinSize(1))
-            .as((time, days) -> new Occasion.At(Optional.empty(), time, days));
+        Combinators.combine(
+                times,
+                Arbitraries.of(DayOfWeek.class).set().ofMinSize(1),
+                Arbitraries.of(true, false))
+            .as((time, days, each) -> new Occasion.At(Optional.empty(), time, days, each));
     Arbitrary<Occasion> after =
         Arbitraries.integers().between(0, 1_000_000).map(n -> new Occasion.After(n / 4.0));
     Arbitrary<Occasion> first = SyntaxTrees.formulas().map(f -> new Occasion.Event(f, false));

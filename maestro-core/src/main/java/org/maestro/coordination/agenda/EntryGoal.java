@@ -59,7 +59,7 @@ public final class EntryGoal implements GoalOfGoals {
           : new AsSoonAs(entry, event.condition(), bound.goal());
     }
     Due due = new Due(bound.occasion(), entry);
-    if (bound.occasion() instanceof Occasion.At at && !at.every().isEmpty()) {
+    if (bound.occasion() instanceof Occasion.At at && at.again()) {
       return new Again(entry, due, bound.goal());
     }
     return new Once(entry, due, bound.goal());

@@ -32,7 +32,7 @@ final class Timetable {
     LocalDate first = after.atZone(zone).toLocalDate().minusDays(1);
     return first
         .datesUntil(first.plusDays(DAYS))
-        .filter(date -> at.every().isEmpty() || at.every().contains(date.getDayOfWeek()))
+        .filter(date -> at.days().isEmpty() || at.days().contains(date.getDayOfWeek()))
         .map(this::on)
         .filter(moment -> moment.isAfter(after))
         .findFirst();

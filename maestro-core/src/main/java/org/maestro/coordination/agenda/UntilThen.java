@@ -126,6 +126,6 @@ final class UntilThen implements Vigil {
 
   private static boolean isOnce(Occasion occasion) {
     return !(occasion instanceof Occasion.Event
-        || occasion instanceof Occasion.At at && !at.every().isEmpty());
+        || occasion instanceof Occasion.At at && at.again());
   }
 }

@@ -86,7 +86,7 @@ final class BoundGoalCheck {
 
   private static boolean isRepeated(Occasion occasion) {
     return occasion instanceof Occasion.Event event && event.again()
-        || occasion instanceof Occasion.At at && !at.every().isEmpty();
+        || occasion instanceof Occasion.At at && at.again();
   }
 
   /** Whether it goes on until somebody cancels it. */

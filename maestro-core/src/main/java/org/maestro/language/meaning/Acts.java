@@ -440,8 +440,8 @@ final class Acts {
     switch (when.head()) {
       case "at":
         return clock(when.part(0), frame).map(minute -> new Content("at", List.of(minute, nested)));
-      case "every":
-        return everyDay(when.part(1), when.part(0), nested);
+      case "every", "on":
+        return onDays(when, nested);
       case "after":
         return Optional.of(new Content("after", List.of(seconds(when.part(0)), nested)));
       case "tomorrow":
@@ -476,12 +476,12 @@ final class Acts {
   }
 
   private static boolean isOfTheClock(Form when) {
-    return when.is("at") || when.is("every") || when.is("tomorrow");
+    return when.is("at") || when.is("every") || when.is("on") || when.is("tomorrow");
   }
 
   /** Of two times that are called the same that of the morning is meant, whenever it is said. */
-  private Optional<Content> everyDay(Form clock, Form days, Content.Argument nested) {
-    OptionalInt minute = Values.minuteOfTomorrow(clock);
+  private Optional<Content> onDays(Form when, Content.Argument nested) {
+    OptionalInt minute = Values.minuteOfTomorrow(when.part(1));
     if (minute.isEmpty()) {
       references.die();
       return Optional.empty();
@@ -491,7 +491,7 @@ final class Acts {
             "at",
             List.of(
                 new Content.Argument.OfTerm(new Term.Number(minute.getAsInt())),
-                new Content.Argument.Named("every", names(days)),
+                new Content.Argument.Named(when.head(), names(when.part(0))),
                 nested)));
   }
 

@@ -45,9 +45,11 @@ final class OccasionWords {
     Occasion.At at = (Occasion.At) occasion;
     String time = phrases.of(end ? "until-time" : "at-time", Map.of("time", clock(at.time())));
     return Optional.of(
-        at.every().isEmpty()
+        at.days().isEmpty()
             ? time
-            : phrases.of("every-time", Map.of("when", time, "days", days(at.every()))));
+            : phrases.of(
+                at.again() ? "every-time" : "on-time",
+                Map.of("when", time, "days", days(at.days()))));
   }
 
   private static String clock(LocalTime time) {

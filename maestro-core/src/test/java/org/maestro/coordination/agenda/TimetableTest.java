@@ -30,7 +30,8 @@ class TimetableTest {
   private static final ZoneId BERLIN = ZoneId.of("Europe/Berlin");
 
   private static Timetable daily(String time, ZoneId zone) {
-    return new Timetable(new Occasion.At(Optional.empty(), LocalTime.parse(time), EACH_DAY), zone);
+    return new Timetable(
+        new Occasion.At(Optional.empty(), LocalTime.parse(time), EACH_DAY, true), zone);
   }
 
   private static List<String> from(String first, String before, String time) {
@@ -64,7 +65,7 @@ class TimetableTest {
   @Test
   void onceIsTodayOrTomorrow() {
     Timetable once =
-        new Timetable(new Occasion.At(Optional.empty(), LocalTime.of(22, 30), Set.of()), BERLIN);
+        new Timetable(Occasion.At.once(Optional.empty(), LocalTime.of(22, 30)), BERLIN);
 
     assertThat(once.next(Instant.parse("2026-11-27T21:29:59Z")))
         .contains(Instant.parse("2026-11-27T21:30:00Z"));
@@ -72,12 +73,27 @@ class TimetableTest {
         .contains(Instant.parse("2026-11-28T21:30:00Z"));
   }
 
+  /** On a Friday before that time it is today, after it a week later. */
+  @Test
+  void onADayOfTheWeekIsTheNextSuchDay() {
+    Timetable friday =
+        new Timetable(
+            new Occasion.At(Optional.empty(), LocalTime.of(9, 0), Set.of(DayOfWeek.FRIDAY), false),
+            BERLIN);
+
+    assertThat(friday.next(Instant.parse("2026-11-24T21:30:00Z")))
+        .contains(Instant.parse("2026-11-27T08:00:00Z"));
+    assertThat(friday.next(Instant.parse("2026-11-27T07:59:59Z")))
+        .contains(Instant.parse("2026-11-27T08:00:00Z"));
+    assertThat(friday.next(Instant.parse("2026-11-27T08:00:00Z")))
+        .contains(Instant.parse("2026-12-04T08:00:00Z"));
+  }
+
   @Test
   void aDateIsOverSometime() {
     Timetable eve =
         new Timetable(
-            new Occasion.At(Optional.of(LocalDate.of(2026, 12, 24)), LocalTime.of(18, 0), Set.of()),
-            BERLIN);
+            Occasion.At.once(Optional.of(LocalDate.of(2026, 12, 24)), LocalTime.of(18, 0)), BERLIN);
 
     assertThat(eve.next(Instant.parse("2026-11-27T21:30:00Z")))
         .contains(Instant.parse("2026-12-24T17:00:00Z"));
@@ -90,7 +106,7 @@ class TimetableTest {
       @ForAll @LongRange(min = 1_400_000_000L, max = 1_900_000_000L) long start,
       @ForAll @IntRange(max = 24 * 60 - 1) int minute) {
     LocalTime time = LocalTime.ofSecondOfDay(60L * minute);
-    Timetable times = new Timetable(new Occasion.At(Optional.empty(), time, EACH_DAY), zone);
+    Timetable times = new Timetable(new Occasion.At(Optional.empty(), time, EACH_DAY, true), zone);
     Instant moment = Instant.ofEpochSecond(start);
     Optional<LocalDate> before = Optional.empty();
     for (int i = 0; i < 200; i++) {
@@ -123,7 +139,8 @@ class TimetableTest {
       @ForAll("zones") ZoneId zone,
       @ForAll("days") Set<DayOfWeek> days,
       @ForAll @LongRange(min = 1_400_000_000L, max = 1_900_000_000L) long start) {
-    Timetable times = new Timetable(new Occasion.At(Optional.empty(), LocalTime.NOON, days), zone);
+    Timetable times =
+        new Timetable(new Occasion.At(Optional.empty(), LocalTime.NOON, days, true), zone);
     Instant moment = Instant.ofEpochSecond(start);
     for (int i = 0; i < 20; i++) {
       moment = times.next(moment).orElseThrow();

@@ -97,6 +97,7 @@ class GoalWordsTest {
         "(= (volume stereo) 30) | see to it that the volume of the stereo is 30 | seeing to it that the volume of the stereo is 30",
         "(at \"22:00\" :every \"day\" (= (opening blinds-bed) 0)) | close the bedroom's blinds at 22:00 every day | closing the bedroom's blinds at 22:00 every day",
         "(at \"07:30\" :every \"monday friday\" (= (opening blinds-bed) 1)) | open the bedroom's blinds at 07:30 every Monday and Friday | opening the bedroom's blinds at 07:30 every Monday and Friday",
+        "(at \"07:30\" :on \"Friday\" (= (opening blinds-bed) 1)) | open the bedroom's blinds at 07:30 on Friday | opening the bedroom's blinds at 07:30 on Friday",
         "(once (atHome Rose) (= (level hall-lamp) 1)) | turn on the hall light as soon as Rose is home | turning on the hall light as soon as Rose is home",
         "(whenever (atHome Rose) (= (level hall-lamp) 1)) | turn on the hall light when Rose is home | turning on the hall light when Rose is home",
         "(after 600 (= (level hall-lamp) 0)) | turn off the hall light after ten minutes | turning off the hall light after ten minutes"
