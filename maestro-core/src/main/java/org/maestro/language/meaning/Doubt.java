@@ -1,6 +1,7 @@
 package org.maestro.language.meaning;
 
 import java.util.List;
+import java.util.Map;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.wording.Construction;
 import org.maestro.sl.Expression;
@@ -9,8 +10,17 @@ import org.maestro.sl.Term;
 
 /** Why something that was said cannot be done yet. */
 public sealed interface Doubt {
-  /** A role was not said. */
-  record Missing(Construction construction, Construction.Role role) implements Doubt {}
+  /**
+   * A role was not said.
+   *
+   * @param said what was, by the names of the other roles
+   */
+  record Missing(Construction construction, Construction.Role role, Map<String, Form> said)
+      implements Doubt {
+    public Missing {
+      said = Map.copyOf(said);
+    }
+  }
 
   /** One of several may be meant. */
   record Which(Form said, List<Term.Name> candidates) implements Doubt {

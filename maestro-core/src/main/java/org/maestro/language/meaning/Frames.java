@@ -134,7 +134,7 @@ final class Frames {
         if (!isOfFittingKinds(construction, fillers)) {
           references.die();
         }
-        references.doubt(new Doubt.Missing(construction, role));
+        references.doubt(new Doubt.Missing(construction, role, fillers));
         return false;
       }
       if (role.type().equals(Construction.Role.RELATION) && !mayBeReached(filler)) {

@@ -30,6 +30,7 @@ public final class QuestionsBack {
   private static final int CHOICES = 4;
 
   private static final String ROOM = "Zone";
+  private static final String PERSON = "Person";
 
   private final Situation situation;
   private final Grammar grammar;
@@ -185,22 +186,46 @@ public final class QuestionsBack {
     return missing.role().questions().stream()
         .filter(question -> question.isIn(grammar.language()))
         .map(Said::text)
-        .map(text -> phrases.filled(text, rolesOf(missing.construction())))
+        .map(text -> phrases.filled(text, roles(missing)))
         .findFirst()
         .orElseGet(() -> phrases.of("missing", Map.of("role", missing.role().name())));
   }
 
-  private Map<String, String> rolesOf(Construction construction) {
-    return construction.roles().stream()
+  private Map<String, String> roles(Doubt.Missing missing) {
+    return missing.construction().roles().stream()
         .collect(
             Collectors.toMap(
-                Construction.Role::name, role -> grammar.phrase(phrase(role.type())), (a, b) -> a));
+                Construction.Role::name,
+                role ->
+                    person(role, missing.said())
+                        .orElseGet(() -> grammar.phrase(phrase(role.type()))),
+                (a, b) -> a));
+  }
+
+  /** The one that was said, or who speaks, if it is she or nobody was. */
+  private Optional<String> person(Construction.Role role, Map<String, Form> said) {
+    Optional<Term> speaker = situation.speaker().map(Term.Name::new);
+    Optional<Form> form = Optional.ofNullable(said.get(role.name())).filter(one -> !one.is("_"));
+    if (!role.type().equals(PERSON)) {
+      return Optional.empty();
+    }
+    Optional<Term> meant =
+        form.isPresent()
+            ? form.map(one -> new NounPhrases(situation).resolve(one, PERSON))
+                .filter(Reference.Single.class::isInstance)
+                .map(one -> ((Reference.Single) one).term())
+            : speaker.filter(any -> role.optional());
+    return meant.map(
+        one ->
+            speaker.filter(one::equals).isPresent()
+                ? grammar.phrase("you-object")
+                : naming.of(one));
   }
 
   private static String phrase(String type) {
     return switch (type) {
       case Construction.Role.RELATION -> "role-where";
-      case "Person" -> "role-person";
+      case PERSON -> "role-person";
       default -> "role";
     };
   }
