@@ -78,21 +78,28 @@ final class SiteOptions {
   }
 
   private RuntimeDirectory.Running running(RuntimeDirectory here) {
+    List<RuntimeDirectory.Running> running = here.running();
+    if (running.isEmpty()) {
+      throw CommandException.outside(
+          "No platform runs here; start one with ./maestro run, or name a broker with --broker"
+              + " URI.");
+    }
     List<RuntimeDirectory.Running> all =
-        here.running().stream()
-            .filter(one -> site.isEmpty() || site.get().equals(one.name()))
-            .toList();
+        running.stream().filter(one -> site.isEmpty() || site.get().equals(one.name())).toList();
     if (all.isEmpty()) {
       throw CommandException.outside(
-          "No platform of that name runs here; start one, or name its broker with --broker URI.");
+          "No platform %s runs here, but %s; or name a broker with --broker URI."
+              .formatted(site.orElse(USUAL_SITE), names(running)));
     }
     if (all.size() > 1) {
       throw CommandException.badInput(
-          "Several platforms run (%s); choose one with --site NAME."
-              .formatted(
-                  String.join(", ", all.stream().map(RuntimeDirectory.Running::name).toList())));
+          "Several platforms run (%s); choose one with --site NAME.".formatted(names(all)));
     }
     return all.get(0);
+  }
+
+  private static String names(List<RuntimeDirectory.Running> running) {
+    return String.join(", ", running.stream().map(RuntimeDirectory.Running::name).toList());
   }
 
   private static Found found(URI uri, String site, Optional<Path> files) {

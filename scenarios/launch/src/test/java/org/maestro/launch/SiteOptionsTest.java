@@ -71,8 +71,12 @@ class SiteOptionsTest {
     assertThatThrownBy(() -> read().find(here))
         .isInstanceOf(CommandException.class)
         .hasMessage(
-            "No platform of that name runs here; start one, or name its broker with --broker URI.");
+            "No platform runs here; start one with ./maestro run, or name a broker with --broker"
+                + " URI.");
     runs("hall", Optional.empty());
+    assertThatThrownBy(() -> read("--site", "loft").find(here))
+        .isInstanceOf(CommandException.class)
+        .hasMessage("No platform loft runs here, but hall; or name a broker with --broker URI.");
     assertThatThrownBy(() -> read().find(here))
         .isInstanceOf(CommandException.class)
         .hasMessage("The platform hall has no broker that others reach; name one with --broker.");
