@@ -20,8 +20,8 @@ public final class SoakBench {
   private static final double SPEED = 50;
   private static final int GOALS_BETWEEN_SAMPLES = 25;
 
-  /** What is made once, such as caches and compiled code, is there by then. */
-  private static final int GOALS_BEFORE_THE_SLOPE = 200;
+  /** As a share of all: what is made once, such as caches and compiled code, is there by then. */
+  private static final double BEFORE_THE_SLOPE = 0.5;
 
   private final Home home;
   private final Scene scene;
@@ -69,13 +69,12 @@ public final class SoakBench {
     return new BenchReport("soak", BenchReport.thisMachine(), rows(samples, ends));
   }
 
-  private static List<BenchReport.Row> rows(
-      List<MemorySample> samples, Map<SoakGoals.End, Integer> ends) {
+  private List<BenchReport.Row> rows(List<MemorySample> samples, Map<SoakGoals.End, Integer> ends) {
     List<BenchReport.Row> rows = new ArrayList<>();
     ends.forEach(
         (end, count) -> rows.add(BenchReport.Row.of("goals " + end.words(), count, "goals")));
     List<MemorySample> settled =
-        samples.stream().filter(sample -> sample.goals() >= GOALS_BEFORE_THE_SLOPE).toList();
+        samples.stream().filter(sample -> sample.goals() >= BEFORE_THE_SLOPE * goals).toList();
     MemorySample first = settled.get(0);
     MemorySample last = settled.get(settled.size() - 1);
     String since = " after goal " + first.goals();
