@@ -123,11 +123,14 @@ final class BudgetedSearch {
   PlanningResult run(double firstBudget) {
     double budget = task.objective() == Objective.CHEAPEST ? firstBudget : Double.POSITIVE_INFINITY;
     Ground ground = ground(budget);
-    if (isWeighing() && !Sought.of(ground.problem()).isEmpty()) {
-      budget = 0;
-      ground = ground(budget);
-    }
+    boolean fromNothing = !isWeighing() || budget == 0;
     while (true) {
+      if (!fromNothing && !Sought.of(ground.problem()).isEmpty()) {
+        // It may be beyond the first budget that something has to be sought.
+        fromNothing = true;
+        budget = 0;
+        ground = ground(budget);
+      }
       Round round = round(ground, budget);
       double next = Math.max(round.beyond(), budget * GROWTH);
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
