@@ -156,6 +156,22 @@ class PastPageTest {
     assertThat(browser.text("#member-list")).as("not what is so now").doesNotContain("lamp");
   }
 
+  /** No later picture is needed: no part shows what is so now while another says that it is not. */
+  @Test
+  void allPartsGoToAnotherTimeInOnePicture() {
+    browser.go(home.uri() + "/#view=members");
+    browser.waitForText("#member-list", "lamp");
+    browser.run(
+        """
+        window.requestAnimationFrame = () => 0;
+        location.hash = "view=members&at=2020-01-01T00:00:00Z";
+        """);
+
+    browser.waitForText("#time-problem", "Nothing is remembered of 2020-01-01T00:00:00Z");
+
+    assertThat(browser.text("#member-list")).doesNotContain("lamp");
+  }
+
   /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
   @Test
   void lookingBackIsForEverybody() throws IOException {

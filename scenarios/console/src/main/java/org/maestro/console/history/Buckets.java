@@ -83,8 +83,9 @@ final class Buckets {
     return low[i];
   }
 
+  /** Never beyond the lowest and the highest, as sums of fractions may come out. */
   double mean(int i) {
-    return sum[i] / known[i];
+    return Math.max(low[i], Math.min(high[i], sum[i] / known[i]));
   }
 
   double high(int i) {

@@ -50,15 +50,20 @@ const picture = new MessageChannel();
 let seen = () => {};
 picture.port1.onmessage = () => seen();
 
-/** What takes too long for one picture goes on with the next; a part that fails keeps no other back. */
+/** A part that fails keeps no other back. */
+function tellOne(listener) {
+  try {
+    listener();
+  } catch (failure) {
+    reportError(failure);
+  }
+}
+
+/** What takes too long for one picture goes on with the next. */
 function tell(left, spent) {
   const begin = performance.now();
   while (left.length > 0 && performance.now() - begin < PICTURE_MILLIS) {
-    try {
-      left.shift()();
-    } catch (failure) {
-      reportError(failure);
-    }
+    tellOne(left.shift());
   }
   seen = () => {
     const taken = spent + performance.now() - begin;
@@ -252,7 +257,10 @@ const TAKEN = {
   agents: (news) => takeAgents(now, news.agents.map(dated)),
 };
 
-/** From now on what was so is shown, as it was told then; null: what is so now. */
+/**
+ * From now on what was so is shown, as it was told then; null: what is so now. All parts change in
+ * one picture: none shows one time while another says that it is a different one.
+ */
 export function show(past) {
   if (past === null) {
     state = now;
@@ -265,7 +273,7 @@ export function show(past) {
     past.former.forEach((fact) => state.former.set(lastKey(fact), fact));
     takeAgents(state, past.agents);
   }
-  changed();
+  listeners.forEach(tellOne);
 }
 
 /** A browser keeps few connections to one address: a page that nobody sees leaves its own to others. Returns what ends it. */
