@@ -19,6 +19,7 @@ import java.time.Duration;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
@@ -42,6 +43,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.platform.JoinedContainer;
 import org.maestro.platform.guard.Guard;
+import org.maestro.platform.jade.NameTakenException;
 import org.maestro.rats.link.SiteKind;
 import org.maestro.rats.security.SecureSite;
 import org.maestro.rats.security.SiteSecurity;
@@ -427,7 +429,15 @@ class SecuredPlatformTest {
     return STORY.stream().anyMatch(text -> text.contains(part));
   }
 
+  /** The main container lets go of a name a moment after who had it has left. */
   private static JoinedContainer join(String user) {
+    return await()
+        .atMost(SOON)
+        .ignoreExceptionsInstanceOf(NameTakenException.class)
+        .until(() -> joined(user), Objects::nonNull);
+  }
+
+  private static JoinedContainer joined(String user) {
     return JoinedContainer.join(
         Optional.of(site.platform().desk().getHap()),
         "127.0.0.1",
