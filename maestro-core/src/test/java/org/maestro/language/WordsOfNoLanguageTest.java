@@ -142,6 +142,7 @@ class WordsOfNoLanguageTest {
           "verb-place",
           "joining",
           "turning",
+          "singular",
           "owning",
           "plural",
           "ing",

@@ -92,11 +92,11 @@ public final class Lexicon implements WordEntries {
   public static final String TIME = "Time";
 
   private static final Pattern FIGURES_OF_TIME = Pattern.compile("([01]?\\d|2[0-3]):[0-5]\\d");
-  private static final int LONGEST_NUMBER = 6;
+  private static final int LONGEST_NUMBER = 8;
   private final Map<List<String>, Map<String, List<Form>>> entries;
   private final Map<List<String>, Set<String>> beginnings = new HashMap<>();
   private final FollowingWords following = new FollowingWords();
-  private final NumberWords numbers;
+  private final SpokenNumbers numbers;
   private final Set<String> words = new HashSet<>();
   private final Set<List<String>> subordinating;
   private final int longest;
@@ -110,9 +110,16 @@ public final class Lexicon implements WordEntries {
       Grammar grammar,
       Predicate<Form> present) {
     this.entries = entries;
-    this.numbers =
+    NumberWords whole =
         new NumberWords(
-            grammar.numbers(), grammar.times(), grammar.list("joining"), grammar.list("turning"));
+            grammar.numbers(),
+            grammar.times(),
+            grammar.list("joining"),
+            grammar.list("turning"),
+            grammar.list("singular"));
+    this.numbers =
+        new SpokenNumbers(
+            whole, grammar.list("negative"), grammar.list("decimal"), grammar.list("halving"));
     this.subordinating = grammar.list("subordinating");
     int most = LONGEST_NUMBER;
     for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {
@@ -133,7 +140,7 @@ public final class Lexicon implements WordEntries {
                     following.add(written, category);
                   }
                 }));
-    numbers.words().forEach(word -> following.add(List.of(word), NUMBER));
+    whole.words().forEach(word -> following.add(List.of(word), NUMBER));
     this.longest = most;
   }
 
@@ -167,7 +174,8 @@ public final class Lexicon implements WordEntries {
 
   @Override
   public boolean isBeginning(List<String> words, Predicate<String> categories) {
-    return beginnings.getOrDefault(words, Set.of()).stream().anyMatch(categories);
+    return beginnings.getOrDefault(words, Set.of()).stream().anyMatch(categories)
+        || categories.test(NUMBER) && numbers.isBeginning(words);
   }
 
   @Override
@@ -183,9 +191,7 @@ public final class Lexicon implements WordEntries {
 
   /** Whether the word is one of an entry. */
   public boolean knows(String word) {
-    return words.contains(word)
-        || numbers.value(List.of(word)).isPresent()
-        || FIGURES_OF_TIME.matcher(word).matches();
+    return words.contains(word) || numbers.knows(word) || FIGURES_OF_TIME.matcher(word).matches();
   }
 
   /** Each word that stands in an entry. */

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.regex.Pattern;
 
-/** Numbers in words and figures: twenty-five, two hundred and ten, 0.5. Immutable. */
+/** Numbers in words, and in figures: twenty-five, two hundred and ten, 0.5. Immutable. */
 final class NumberWords {
   private static final double TEN = 10;
   private static final Pattern FIGURES = Pattern.compile("-?\\d{1,12}([.,]\\d{1,6})?");
@@ -17,21 +17,25 @@ final class NumberWords {
   private final Map<String, Double> times;
   private final Set<List<String>> joining;
   private final Set<List<String>> turning;
+  private final Set<List<String>> singular;
 
   /**
    * @param joining words that stand between hundreds and the rest
    * @param turning words that stand between ones and the tens after them, where numbers are written
    *     as one word; none: they are not
+   * @param singular words that are one before a hundred or a thousand, and nowhere else
    */
   NumberWords(
       Map<String, Double> values,
       Map<String, Double> times,
       Set<List<String>> joining,
-      Set<List<String>> turning) {
+      Set<List<String>> turning,
+      Set<List<String>> singular) {
     this.values = values;
     this.times = times;
     this.joining = joining;
     this.turning = turning;
+    this.singular = singular;
   }
 
   /** The words of which numbers are made. */
@@ -39,15 +43,25 @@ final class NumberWords {
     return values.keySet();
   }
 
+  /** Whether one word is a whole number, however long. */
+  boolean areOneWord() {
+    return !turning.isEmpty();
+  }
+
   /** The number that these words are, all of them together. */
   OptionalDouble value(List<String> words) {
     if (words.size() == 1 && FIGURES.matcher(words.get(0)).matches()) {
       return OptionalDouble.of(Double.parseDouble(words.get(0).replace(',', '.')));
     }
-    if (words.size() == 1 && !turning.isEmpty() && !isPart(words.get(0))) {
+    if (words.size() == 1 && areOneWord() && !isPart(words.get(0))) {
       return parts(words.get(0)).map(this::inWords).orElse(OptionalDouble.empty());
     }
     return words.isEmpty() ? OptionalDouble.empty() : inWords(words);
+  }
+
+  /** Whether it is one before a hundred. */
+  boolean isSingular(String word) {
+    return singular.contains(List.of(word));
   }
 
   private boolean isPart(String word) {
@@ -100,13 +114,14 @@ final class NumberWords {
   }
 
   private OptionalDouble inWords(List<String> words) {
+    boolean isOne = words.size() > 1 && isSingular(words.get(0)) && times.containsKey(words.get(1));
     double total = 0;
-    double part = 0;
-    double smallest = Double.POSITIVE_INFINITY;
+    double part = isOne ? 1 : 0;
+    double smallest = isOne ? 1 : Double.POSITIVE_INFINITY;
     double largestFactor = 0;
     double lastFactor = Double.POSITIVE_INFINITY;
-    boolean isCounted = false;
-    for (String word : words) {
+    boolean isCounted = isOne;
+    for (String word : words.subList(isOne ? 1 : 0, words.size())) {
       Double value = values.get(word);
       Double factor = times.get(word);
       if (value != null) {
@@ -118,7 +133,7 @@ final class NumberWords {
         part += value;
         smallest = value;
         isCounted = true;
-      } else if (factor != null && !isCounted && !turning.isEmpty()) {
+      } else if (factor != null && !isCounted && areOneWord()) {
         // Where numbers are one word, a hundred may be one of them.
         total = factor;
         largestFactor = factor;

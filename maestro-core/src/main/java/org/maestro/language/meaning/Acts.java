@@ -123,11 +123,7 @@ final class Acts {
       case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
-      case "keepcompared" ->
-          measures
-              .compared(verb.part(0), relation(verb.part(1)), verb.part(2))
-              .map(Formula.Keep::new)
-              .map(Acts::goal);
+      case "keepcompared" -> compared(verb).map(Formula.Keep::new).map(Acts::goal);
       case "hold" ->
           measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       default -> formula(verb).map(Acts::goal);
@@ -236,6 +232,7 @@ final class Acts {
       case "less" -> measures.more(verb.part(0), -1);
       case "become" -> states.bringing(verb.part(0), verb.part(1));
       case "ensure" -> ensured(verb.part(0));
+      case "compares" -> compared(verb);
       default -> {
         references.die();
         yield Optional.empty();
@@ -399,15 +396,24 @@ final class Acts {
       case "there":
         return there(condition.part(0));
       case "compares":
-        return measures.compared(condition.part(0), relation(condition.part(1)), condition.part(2));
+        return compared(condition);
       default:
         references.die();
         return Optional.empty();
     }
   }
 
+  private Optional<Formula> compared(Form said) {
+    return measures.compared(said.part(0), relation(said.part(1)), said.part(2));
+  }
+
   private static Formula.Relation relation(Form said) {
-    return said.is("over") ? Formula.Relation.GREATER : Formula.Relation.LESS;
+    return switch (said.head()) {
+      case "over" -> Formula.Relation.GREATER;
+      case "least" -> Formula.Relation.AT_LEAST;
+      case "most" -> Formula.Relation.AT_MOST;
+      default -> Formula.Relation.LESS;
+    };
   }
 
   /** That there is something of which more is said than its kind. */

@@ -63,6 +63,9 @@ final class Measures {
 
   /** The measure of what is there; the same, where it was said of what it is. */
   static Form placed(Form measure, Form where) {
+    if (measure.parts().isEmpty()) {
+      return Form.of(measure.head(), where);
+    }
     int last = measure.parts().size() - 1;
     Form whose = measure.part(last);
     Form placed = NounPhrases.placed(whose, where);
@@ -81,9 +84,7 @@ final class Measures {
     if (!isInRange) {
       references.doubt(
           new Doubt.OutOfRange(
-              of.fluent().name(),
-              of.fluent().least().orElse(0),
-              measure(of).whole().orElse(Double.MAX_VALUE)));
+              of.fluent().name(), least(of), measure(of).whole().orElse(Double.MAX_VALUE)));
     }
     return isInRange;
   }
@@ -275,10 +276,13 @@ final class Measures {
   }
 
   private double within(Of of, double value) {
-    double least =
-        of.fluent().least().orElse(measure(of).whole().isPresent() ? 0 : -Double.MAX_VALUE);
     double most = measure(of).whole().orElse(Double.MAX_VALUE);
-    return rounded(Math.max(least, Math.min(most, value)));
+    return rounded(Math.max(least(of), Math.min(most, value)));
+  }
+
+  /** What is a part of a whole is no less than nothing. */
+  private double least(Of of) {
+    return of.fluent().least().orElse(measure(of).whole().isPresent() ? 0 : -Double.MAX_VALUE);
   }
 
   private static double rounded(double value) {
@@ -286,8 +290,7 @@ final class Measures {
   }
 
   private static double numeric(Form amount) {
-    double half = amount.parts().size() > 2 ? Double.parseDouble(amount.text(2)) : 0;
-    return Double.parseDouble(amount.text(0)) + half;
+    return Double.parseDouble(amount.text(0));
   }
 
   /**
@@ -355,8 +358,7 @@ final class Measures {
   }
 
   private boolean mayBe(Of of, double value) {
-    return value >= of.fluent().least().orElse(-Double.MAX_VALUE)
-        && value <= measure(of).whole().orElse(Double.MAX_VALUE);
+    return value >= least(of) && value <= measure(of).whole().orElse(Double.MAX_VALUE);
   }
 
   private List<PredicateDeclaration> fluents(Form named, Form amount) {

@@ -29,19 +29,12 @@ final class Values {
 
   private static Optional<Term> value(Form said) {
     return switch (said.head()) {
-      case "number", "percent", "points" ->
+      case "number", "percent", "points", "quantity" ->
           Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
-      case "quantity" -> Optional.of(new Term.Number(quantity(said)));
       case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
       case "text" -> Optional.of(new Term.Text(text(said).replaceFirst("^(, )+", "")));
       default -> Optional.empty();
     };
-  }
-
-  /** A number of units, and a part of one that was said after it. */
-  private static double quantity(Form said) {
-    double more = said.parts().size() > 2 ? Double.parseDouble(said.text(2)) : 0;
-    return Double.parseDouble(said.text(0)) + more;
   }
 
   private static boolean isReference(String head) {
@@ -72,9 +65,7 @@ final class Values {
     if (span.is("plus")) {
       return seconds(span.part(0)) + seconds(span.part(1));
     }
-    double number = Double.parseDouble(span.text(0));
-    double more = span.parts().size() > 2 ? Double.parseDouble(span.text(2)) : 0;
-    return (number + more) * Double.parseDouble(span.text(1));
+    return Double.parseDouble(span.text(0)) * Double.parseDouble(span.text(1));
   }
 
   /**

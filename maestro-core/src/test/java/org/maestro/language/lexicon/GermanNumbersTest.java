@@ -27,9 +27,10 @@ class GermanNumbersTest {
     }
   }
 
-  private static List<String> values(String word) {
-    return lexicon.endingWith(List.of(word)).stream()
-        .filter(entry -> entry.category().equals(Lexicon.NUMBER))
+  private static List<String> values(String text) {
+    List<String> words = List.of(text.split(" "));
+    return lexicon.endingWith(words).stream()
+        .filter(entry -> entry.category().equals(Lexicon.NUMBER) && entry.words() == words.size())
         .map(WordEntries.Entry::meaning)
         .map(Object::toString)
         .toList();
@@ -54,6 +55,15 @@ class GermanNumbersTest {
         "zweitausendfünfhundert | 2500",
         "einhundertfünfzigtausend | 150000",
         "21,5 | 21.5",
+        "einundzwanzig komma fünf | 21.5",
+        "null komma null fünf | 0.05",
+        "eins komma fünfundsiebzig | 1.75",
+        "minus zwei | -2",
+        "minus einundzwanzig komma fünf | -21.5",
+        "zweieinhalb | 2.5",
+        "einundzwanzigeinhalb | 21.5",
+        "zwei einhalb | 2.5",
+        "anderthalb | 1.5",
       })
   void aNumberIsWhatItsPartsAre(String word, String value) {
     assertThat(values(word)).containsExactly(value);
@@ -71,7 +81,9 @@ class GermanNumbersTest {
         "einundzehn",
         "einundzwanzigste",
         "lampe",
-        "achtlampe"
+        "achtlampe",
+        "einhalb",
+        "lampeeinhalb",
       })
   void whatIsNotOneNumberIsNone(String word) {
     assertThat(values(word)).isEmpty();

@@ -56,6 +56,19 @@ class NumberWordsTest {
         "-3 | -3",
         "0.5 | 0.5",
         "0,5 | 0.5",
+        "a hundred | 100",
+        "a hundred and ten | 110",
+        "a thousand | 1000",
+        "twenty one point five | 21.5",
+        "zero point zero five | 0.05",
+        "two hundred and ten point seven five | 210.75",
+        "three point fifteen | 3.15",
+        "3 point 5 | 3.5",
+        "minus two | -2",
+        "minus twenty one point five | -21.5",
+        "twenty one and a half | 21.5",
+        "minus two and a half | -2.5",
+        "2 and a half | 2.5",
       })
   void aNumberIsWhatItsWordsAre(String words, String value) {
     assertThat(values(words)).containsExactly(value);
@@ -80,9 +93,43 @@ class NumberWordsTest {
         "12:30",
         "lamp",
         "five lamp",
+        "a",
+        "a five",
+        "a hundred hundred",
+        "minus",
+        "minus minus two",
+        "minus -2",
+        "point five",
+        "five point",
+        "five point lamp",
+        "five point five point five",
+        "0.5 point 5",
+        "five point hundred",
+        "and a half",
+        "0.5 and a half",
       })
   void whatIsNotOneNumberIsNone(String words) {
     assertThat(values(words)).isEmpty();
+  }
+
+  /** Nothing that was said so far is taken back, and it is waited for the rest. */
+  @ParameterizedTest
+  @CsvSource({
+    "minus, true",
+    "twenty one point, true",
+    "minus five point, true",
+    "two and, true",
+    "two and a, true",
+    "a, true",
+    "point, false",
+    "lamp point, false",
+    "and a, false",
+    "lamp, false"
+  })
+  void moreMayBelongToANumber(String words, boolean expected) {
+    assertThat(lexicon.isBeginning(List.of(words.split(" ")), Lexicon.NUMBER::equals))
+        .isEqualTo(expected);
+    assertThat(lexicon.isBeginning(List.of(words.split(" ")), category -> false)).isFalse();
   }
 
   @ParameterizedTest
@@ -102,7 +149,7 @@ class NumberWordsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"seven, true", "70, true", "lamp, false"})
+  @CsvSource({"seven, true", "70, true", "minus, true", "point, true", "lamp, false"})
   void aNumberIsAKnownWord(String word, boolean expected) {
     assertThat(lexicon.knows(word)).isEqualTo(expected);
   }
