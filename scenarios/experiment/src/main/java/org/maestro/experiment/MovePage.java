@@ -101,7 +101,7 @@ final class MovePage {
         "The windows are our assumption: two to the south, 1.4 m wide, 0.9 to 2.1 m high, at Minden's latitude on the day of the equinox; the paper says only that the light upon an object was too high.",
         "Before each run the objects are put to the same places by hand, not quite exactly, and the robot to the middle; lamps are off and shutters open. The goal comes 20 s later: by then the building's own agents have seen to the light, with lamps, and with shutters against the sun where there are any.",
         "The lower bound knows where everything is and that the light is right: shortest way at full speed, placing at the greatest distance that still counts, one grip, one placing, one look of five frames for each object. It counts no decision, no message, no look that finds nothing, and no look that confirms the end.",
-        "The robot drives at 0.8 m/s, which is the youBot's data sheet, without getting up to speed; a grip takes 4 s, a placing 3 s (PhysicalParameters names the sources).",
+        "The robot drives at 0.8 m/s, which is the youBot's data sheet, without getting up to speed; a grip takes 4 s, a placing 3 s (the table of parameters names the sources).",
         "Its gripper is a bag of grains that holds what it can wrap; the paper names the kind, and nothing of its size: a ball of 10 cm, its pinch and its friction are assumed (world.gripper).",
         "A decision of the platform costs 20 ms, messages cost what the stepped clock states.",
         "What is not carried stands for Bob, whom nobody carries; so the direction is certain.");
