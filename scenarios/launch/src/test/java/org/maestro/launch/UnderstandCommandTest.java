@@ -59,10 +59,11 @@ class UnderstandCommandTest {
   }
 
   /** What a household has is called in German, too. */
-  @Test
-  void germanIsSpokenInAHousehold() throws IOException {
+  @ParameterizedTest
+  @ValueSource(strings = {"evening", "rooms"})
+  void germanIsSpokenInAHousehold(String home) throws IOException {
     isUnderstoodAsItSays(
-        "german-rooms.tsv", "--home", "rooms", "--scene", "rooms", "--language", "de");
+        "german-" + home + ".tsv", "--home", home, "--scene", home, "--language", "de");
   }
 
   private void isUnderstoodAsItSays(String list, String... there) throws IOException {
