@@ -172,6 +172,20 @@ class PastPageTest {
     assertThat(browser.text("#member-list")).doesNotContain("lamp");
   }
 
+  /** A page that stays open all day does not keep what happened on it. */
+  @Test
+  void whatHappenedIsAskedForOnceSomebodyLooksAtIt() {
+    String asked = "performance.getEntriesByType('resource').map(one => one.name).join(' ')";
+    browser.go(home.uri() + "/#view=goals");
+    browser.waitForSaid(asked, "/api/v1/history");
+    assertThat(String.valueOf(browser.run("return " + asked))).doesNotContain("history/events");
+
+    browser.click("[data-view=history]");
+
+    browser.waitForText("#detail", "stated");
+    browser.waitForSaid(asked, "history/events");
+  }
+
   /** Contrast, labels, roles: as the rules of the trade have them, in light and dark. */
   @Test
   void lookingBackIsForEverybody() throws IOException {

@@ -122,7 +122,9 @@ export function drawHappened() {
     detail.replaceChildren(make("h2", {}, "What happened", make("span", { class: "quiet counts" }, "a click shows that time")), list);
   }
   const all = happened();
-  if (all.length === 0) {
+  if (all === null) {
+    redraw(list, make("p", { class: "empty" }, "…"));
+  } else if (all.length === 0) {
     redraw(list, make("p", { class: "empty" }, "Nothing has become of a goal or a member yet."));
   } else {
     listed([...all].reverse());

@@ -15,7 +15,9 @@ const GOOD = new Set(["reached", "joined", "returned"]);
 /** How far it goes back, as it was told last. */
 let kept = null;
 let heard = 0;
-let events = [];
+
+/** What happened, for as long as somebody looks at that: a day of it is much to keep; null: not asked for yet. */
+let events = null;
 
 /** The time that is shown, and what is wrong with that; it differs from the chosen one as long as that is being asked for. */
 let shown = null;
@@ -33,7 +35,7 @@ export function keptPast() {
   return kept;
 }
 
-/** All of them, oldest first. */
+/** All of them, oldest first; null as long as they are not told. */
 export function happened() {
   return events;
 }
@@ -67,17 +69,25 @@ function present() {
   return kept === null ? Date.now() : Date.parse(kept.now) + (performance.now() - heard);
 }
 
+function isLooking() {
+  return isPast() || selection().view === "history";
+}
+
 async function refresh() {
-  const wasAt = kept?.from ?? null;
   try {
     const told = await ask.kept();
     heard = performance.now();
     kept = told;
-    if (told.from !== null) {
-      const begin = wasAt === null || events.length === 0 ? told.from : events[events.length - 1].at;
+    if (!isLooking()) {
+      events = null;
+    } else if (told.from === null) {
+      events = [];
+    } else {
+      const before = events ?? [];
+      const begin = before.length === 0 ? told.from : before[before.length - 1].at;
       const news = (await ask.happened(begin, new Date(Date.parse(told.now) + 1000).toISOString())).events;
       // Those of the moment that was told last come again.
-      events = [...events.filter((event) => event.at >= told.from && event.at < begin), ...news];
+      events = [...before.filter((event) => event.at >= told.from && event.at < begin), ...news];
     }
   } catch {
     // What the past is now is asked for again; that the platform does not answer is said elsewhere.
@@ -130,7 +140,7 @@ function choose(second, last) {
 
 function step(by) {
   const at = selection().at ?? new Date(present()).toISOString();
-  const other = by < 0 ? events.filter((event) => event.at < at).pop() : events.find((event) => event.at > at);
+  const other = by < 0 ? events?.filter((event) => event.at < at).pop() : events?.find((event) => event.at > at);
   if (other) {
     select({ at: other.at });
   }
@@ -138,7 +148,7 @@ function step(by) {
 
 function marks(from, length) {
   const drawn = new Map();
-  for (const event of events) {
+  for (const event of events ?? []) {
     const x = Math.round(((Date.parse(event.at) - from) / length) * WIDTH);
     drawn.set(`${x} ${tone(event)}`, draw("line", { class: `mark ${tone(event)}`, x1: x, x2: x, y1: 0, y2: 10 }));
   }
@@ -209,15 +219,14 @@ export function startPast() {
   onSelect(follow);
   let next = 0;
   const again = async () => {
-    const isLooking = isPast() || selection().view === "history";
     if (!document.hidden && performance.now() >= next) {
-      next = performance.now() + (isLooking ? OFTEN_MILLIS : SELDOM_MILLIS);
+      next = performance.now() + (isLooking() ? OFTEN_MILLIS : SELDOM_MILLIS);
       await refresh();
       changed();
     }
     setTimeout(again, 500);
   };
-  onSelect(() => { next = Math.min(next, performance.now() + OFTEN_MILLIS); });
+  onSelect(() => { next = Math.min(next, performance.now() + (isLooking() && events === null ? 0 : OFTEN_MILLIS)); });
   again();
   follow();
 }
