@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.maestro.language.chart.Chart;
 import org.maestro.language.chart.Reading;
 import org.maestro.language.grammar.Form;
 import org.maestro.language.grammar.Grammar;
@@ -61,12 +62,18 @@ public final class Listening {
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
     Optional<Meaning> best = best(now);
-    // What a number is of may still follow it.
-    boolean isOpen = best.isPresent() && words.chart().isOpenAfter(Lexicon.NUMBER);
+    boolean isOpen = best.isPresent() && mayBeOfSomethingElse(words.chart());
     best.ifPresent(meaning -> beginning.understood(word, meaning, isOpen));
     if (word.codePoints().anyMatch(Character::isLetterOrDigit)) {
       isComplete = best.flatMap(Meaning::message).isPresent();
     }
+  }
+
+  /** What a number is of may still follow it, or that it is a difference: two degrees warmer. */
+  private static boolean mayBeOfSomethingElse(Chart chart) {
+    return chart.isOpenAfter(Lexicon.NUMBER)
+        || chart.isOpenAfter(Lexicon.AMOUNT)
+            && (chart.predicts(Lexicon.MORE) || chart.predicts(Lexicon.LESS));
   }
 
   /** The best meaning of what was said so far, if it is certain. */

@@ -90,6 +90,7 @@ class WordsOfNoLanguageTest {
           "string",
           "DEG",
           "SEC",
+          "PERCENT",
           "Listener");
 
   /** Words of the format of grammars, and kinds of meanings. */

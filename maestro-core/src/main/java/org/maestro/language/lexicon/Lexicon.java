@@ -88,6 +88,9 @@ public final class Lexicon implements WordEntries {
   /** A number. */
   public static final String NUMBER = "Number";
 
+  /** So much of something, as a grammar's rules have it. */
+  public static final String AMOUNT = "Amount";
+
   /** A time of day in figures, such as 10:30. */
   public static final String TIME = "Time";
 

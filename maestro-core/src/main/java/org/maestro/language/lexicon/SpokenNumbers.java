@@ -7,8 +7,9 @@ import java.util.regex.Pattern;
 
 /** Numbers as they are spoken: below zero, with a half, and with what stands behind the mark. */
 final class SpokenNumbers {
-  private static final Pattern DIGIT = Pattern.compile("\\d");
+  private static final Pattern DIGITS = Pattern.compile("\\d{1,6}");
   private static final double HALF = 0.5;
+  private static final int TEN = 10;
   private static final int HUNDRED = 100;
 
   private final NumberWords whole;
@@ -95,22 +96,24 @@ final class SpokenNumbers {
   private String digits(List<String> words) {
     StringBuilder digits = new StringBuilder();
     for (String word : words) {
-      OptionalDouble one =
-          DIGIT.matcher(word).matches()
-              ? OptionalDouble.of(Integer.parseInt(word))
-              : whole.value(List.of(word));
-      if (one.isEmpty() || one.getAsDouble() < 0 || one.getAsDouble() >= 10) {
+      OptionalDouble one = whole.value(List.of(word));
+      if (DIGITS.matcher(word).matches()) {
+        digits.append(word);
+      } else if (isWholeFrom(one, 0, TEN)) {
+        digits.append((int) one.getAsDouble());
+      } else {
         OptionalDouble both = whole.value(words);
-        boolean areTwo =
-            both.isPresent()
-                && isWhole(both.getAsDouble())
-                && both.getAsDouble() >= 10
-                && both.getAsDouble() < HUNDRED;
-        return areTwo ? String.valueOf((int) both.getAsDouble()) : "";
+        return isWholeFrom(both, TEN, HUNDRED) ? String.valueOf((int) both.getAsDouble()) : "";
       }
-      digits.append((int) one.getAsDouble());
     }
     return digits.toString();
+  }
+
+  private static boolean isWholeFrom(OptionalDouble number, int least, int below) {
+    return number.isPresent()
+        && isWhole(number.getAsDouble())
+        && number.getAsDouble() >= least
+        && number.getAsDouble() < below;
   }
 
   private OptionalDouble withHalf(List<String> words) {
@@ -131,9 +134,9 @@ final class SpokenNumbers {
     return OptionalDouble.empty();
   }
 
-  /** Half of a figure with decimals is not said. */
+  /** Nobody says so of a figure with decimals or a sign. */
   private static OptionalDouble plusHalf(OptionalDouble number) {
-    return number.isPresent() && isWhole(number.getAsDouble())
+    return isWholeFrom(number, 0, Integer.MAX_VALUE)
         ? OptionalDouble.of(number.getAsDouble() + HALF)
         : OptionalDouble.empty();
   }

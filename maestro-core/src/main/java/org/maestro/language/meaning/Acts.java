@@ -123,7 +123,7 @@ final class Acts {
       case "later" -> timed(verb.part(0), Form.of("do", verb.part(1)));
       case "keep" ->
           states.bringing(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
-      case "keepcompared" -> compared(verb).map(Formula.Keep::new).map(Acts::goal);
+      case "keepcompared" -> bounded(verb).map(Formula.Keep::new).map(Acts::goal);
       case "hold" ->
           measures.assigned(verb.part(0), verb.part(1)).map(Formula.Keep::new).map(Acts::goal);
       default -> formula(verb).map(Acts::goal);
@@ -232,7 +232,7 @@ final class Acts {
       case "less" -> measures.more(verb.part(0), -1);
       case "become" -> states.bringing(verb.part(0), verb.part(1));
       case "ensure" -> ensured(verb.part(0));
-      case "compares" -> compared(verb);
+      case "compares" -> bounded(verb);
       default -> {
         references.die();
         yield Optional.empty();
@@ -396,15 +396,15 @@ final class Acts {
       case "there":
         return there(condition.part(0));
       case "compares":
-        return compared(condition);
+        return measures.compared(condition.part(0), relation(condition.part(1)), condition.part(2));
       default:
         references.die();
         return Optional.empty();
     }
   }
 
-  private Optional<Formula> compared(Form said) {
-    return measures.compared(said.part(0), relation(said.part(1)), said.part(2));
+  private Optional<Formula> bounded(Form said) {
+    return measures.bounded(said.part(0), relation(said.part(1)), said.part(2));
   }
 
   private static Formula.Relation relation(Form said) {

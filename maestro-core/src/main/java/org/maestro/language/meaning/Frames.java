@@ -280,7 +280,12 @@ final class Frames {
       return Optional.empty();
     }
     if (!role.type().equals(TIME)) {
-      return Values.of(filler);
+      Optional<Term> value = Values.of(filler);
+      if (value.isEmpty() && filler.is("quantity")) {
+        // Minutes are no degrees.
+        references.die();
+      }
+      return value;
     }
     OptionalInt minute =
         construction.inTheMorning()

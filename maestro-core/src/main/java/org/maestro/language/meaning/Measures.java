@@ -25,7 +25,7 @@ final class Measures {
   private static final double HUNDRED = 100;
   private static final String CELSIUS = "DEG_C";
   private static final String KELVIN = "K";
-  private static final String FAHRENHEIT = "DEG_F";
+  private static final String PERCENT = "PERCENT";
   private static final double MORE_THAN_BEFORE = 1.5;
   private static final double ROUNDED = 1e9;
 
@@ -65,6 +65,9 @@ final class Measures {
   static Form placed(Form measure, Form where) {
     if (measure.parts().isEmpty()) {
       return Form.of(measure.head(), where);
+    }
+    if (measure.is("alike")) {
+      return Form.of("alike", placed(measure.part(0), where), measure.part(1));
     }
     int last = measure.parts().size() - 1;
     Form whose = measure.part(last);
@@ -133,19 +136,28 @@ final class Measures {
                     }));
   }
 
-  /** A comparison with an amount. */
+  /** A comparison with an amount, of what is measured first. */
   Optional<Formula> compared(Form measure, Formula.Relation relation, Form amount) {
-    return of(measure, amount, false)
-        .flatMap(
-            of ->
-                references.over(
-                    of.whose(),
-                    term ->
-                        value(of, amount)
-                            .map(
-                                value ->
-                                    new Formula.Comparison(
-                                        relation, fluent(of.fluent(), term), number(value)))));
+    return of(measure, amount, false).flatMap(of -> compared(of, relation, amount));
+  }
+
+  /** The same as a wish: first of what can be set, as the target of a temperature. */
+  Optional<Formula> bounded(Form measure, Formula.Relation relation, Form amount) {
+    return found(measure, amount, true)
+        .filter(of -> !(of.whose() instanceof Reference.None))
+        .or(() -> of(measure, amount, false))
+        .flatMap(of -> compared(of, relation, amount));
+  }
+
+  private Optional<Formula> compared(Of of, Formula.Relation relation, Form amount) {
+    return references.over(
+        of.whose(),
+        term ->
+            value(of, amount)
+                .map(
+                    value ->
+                        new Formula.Comparison(
+                            relation, fluent(of.fluent(), term), number(value))));
   }
 
   /** A comparison of the same number of two things. */
@@ -210,11 +222,15 @@ final class Measures {
   }
 
   private Measure measure(Of of) {
-    return Optional.ofNullable(situation.home().wording().measures().get(of.fluent().name()))
+    return measure(of.fluent());
+  }
+
+  private Measure measure(PredicateDeclaration fluent) {
+    return Optional.ofNullable(situation.home().wording().measures().get(fluent.name()))
         .orElseGet(
             () ->
                 new Measure(
-                    of.fluent().name(),
+                    fluent.name(),
                     OptionalDouble.empty(),
                     OptionalDouble.empty(),
                     OptionalDouble.empty(),
@@ -224,18 +240,25 @@ final class Measures {
                     false));
   }
 
+  /** Empty where such an amount says nothing of the number. */
   private Optional<Double> value(Of of, Form amount) {
     OptionalDouble whole = measure(of).whole();
     return switch (amount.head()) {
       case "number" -> Optional.of(scaled(of, numeric(amount)));
-      case "percent" -> Optional.of(rounded(numeric(amount) * whole.orElse(HUNDRED) / HUNDRED));
+      case "percent", "share" ->
+          mayBeInPercent(of.fluent()) ? Optional.of(share(of, amount)) : Optional.empty();
       case "points" -> Optional.of(scaled(of, numeric(amount)));
-      case "quantity" -> Optional.of(rounded(inCelsius(amount)));
+      case "quantity" -> Optional.of(rounded(Values.inCelsius(amount)));
       case "most" -> whole.isPresent() ? Optional.of(whole.getAsDouble()) : Optional.empty();
       case "least" -> Optional.of(of.fluent().least().orElse(0));
       case "as" -> as(of, amount.part(0));
       default -> Optional.empty();
     };
+  }
+
+  /** So many hundredths of the whole. */
+  private double share(Of of, Form amount) {
+    return rounded(numeric(amount) * measure(of).whole().orElse(HUNDRED) / HUNDRED);
   }
 
   /** As much as something else has now. */
@@ -257,19 +280,14 @@ final class Measures {
         : number;
   }
 
-  private static double inCelsius(Form amount) {
-    return amount.text(1).equals(FAHRENHEIT)
-        ? Math.round((numeric(amount) - 32) / 1.8 * 10) / 10.0
-        : numeric(amount);
-  }
-
   private double step(Of of, Form by, OptionalDouble now) {
     Measure measure = measure(of);
     double step = measure.step().orElse(measure.whole().orElse(10) / 10);
     return switch (by.head()) {
       case "percent" -> now.orElse(0) * numeric(by) / HUNDRED;
       case "number", "points" -> scaled(of, numeric(by));
-      case "quantity" -> by.text(1).equals(FAHRENHEIT) ? numeric(by) / 1.8 : numeric(by);
+      case "share" -> share(of, by);
+      case "quantity" -> by.text(1).equals(Values.FAHRENHEIT) ? numeric(by) / 1.8 : numeric(by);
       case "much" -> 2 * step;
       default -> step;
     };
@@ -300,14 +318,24 @@ final class Measures {
    * @param set whether it is to be set, rather than asked for
    */
   private Optional<Of> of(Form measure, Form amount, boolean set) {
+    Form said = measure.part(0);
+    if (said.is("it") && phrases.resolve(said, "") instanceof Reference.None none) {
+      references.doubt(new Doubt.NoSuch(none.said()));
+      return Optional.empty();
+    }
+    Optional<Of> found = found(measure, amount, set);
+    if (found.isEmpty()) {
+      references.die();
+    }
+    return found;
+  }
+
+  private Optional<Of> found(Form said, Form amount, boolean set) {
+    Form measure = said.is("alike") ? alike(said.part(0), said.part(1)) : said;
     Form named = measure.part(0);
     boolean isNamed =
         named.is("fluent") || named.is("more") || named.is("less") || named.is("howMuch");
     Form whose = isNamed ? measure.part(1) : named;
-    if (!isNamed && whose.is("it") && phrases.resolve(whose, "") instanceof Reference.None none) {
-      references.doubt(new Doubt.NoSuch(none.said()));
-      return Optional.empty();
-    }
     List<PredicateDeclaration> fluents =
         set
             ? fluents(isNamed ? named : Form.HOLE, amount)
@@ -343,12 +371,17 @@ final class Measures {
     if (thereabouts.size() == 1) {
       return Optional.of(thereabouts.get(0));
     }
-    if (broken.isEmpty() || !thereabouts.isEmpty()) {
-      // Of several things in a room a number may be meant, of the hob as well as of the light.
-      references.die();
-      return Optional.empty();
-    }
-    return broken;
+    // Of several things in a room a number may be meant, of the hob as well as of the light.
+    return thereabouts.isEmpty() ? broken : Optional.empty();
+  }
+
+  /** Of the numbers that are named those of which there can be more in these words. */
+  private static Form alike(Form measure, Form more) {
+    Form named = measure.part(0);
+    List<Form> parts = new ArrayList<>(measure.parts());
+    parts.set(
+        0, new Form(named.head(), named.parts().stream().filter(more.parts()::contains).toList()));
+    return new Form(measure.head(), parts);
   }
 
   /** Who turns the heater up wants the room warmer; a lamp that is to be warmer is none. */
@@ -380,6 +413,12 @@ final class Measures {
         .toList();
   }
 
+  /** What has a unit of its own and no whole has no hundredths. */
+  private boolean mayBeInPercent(PredicateDeclaration fluent) {
+    return fluent.unit().filter(unit -> !unit.equals(PERCENT)).isEmpty()
+        || measure(fluent).whole().isPresent();
+  }
+
   /** Of these people say the number alone. */
   private boolean isTemperature(String fluent) {
     return vocabulary
@@ -396,7 +435,7 @@ final class Measures {
 
   private static boolean isIn(PredicateDeclaration fluent, String unit) {
     return fluent.unit().isPresent()
-            && unit.equals(FAHRENHEIT)
+            && unit.equals(Values.FAHRENHEIT)
             && fluent.unit().get().equals(CELSIUS)
         || fluent.unit().isPresent() && isIn(fluent.unit().get(), unit);
   }

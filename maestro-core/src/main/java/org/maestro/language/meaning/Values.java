@@ -2,6 +2,7 @@ package org.maestro.language.meaning;
 
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.maestro.language.grammar.Form;
 import org.maestro.sl.Term;
 
@@ -14,6 +15,11 @@ final class Values {
   private static final int HOUR = 60;
   private static final int HALF = 30;
   private static final int QUARTER = 15;
+
+  static final String FAHRENHEIT = "DEG_F";
+
+  /** What is asked for as a number may be said in these; minutes are a span. */
+  private static final Set<String> UNITS_OF_NUMBERS = Set.of("DEG_C", FAHRENHEIT, "K", "M");
 
   private Values() {}
 
@@ -29,12 +35,24 @@ final class Values {
 
   private static Optional<Term> value(Form said) {
     return switch (said.head()) {
-      case "number", "percent", "points", "quantity" ->
+      case "number", "percent", "points", "share" ->
           Optional.of(new Term.Number(Double.parseDouble(said.text(0))));
+      case "quantity" ->
+          UNITS_OF_NUMBERS.contains(said.text(1))
+              ? Optional.of(new Term.Number(inCelsius(said)))
+              : Optional.empty();
       case "span", "plus" -> Optional.of(new Term.Number(seconds(said)));
       case "text" -> Optional.of(new Term.Text(text(said).replaceFirst("^(, )+", "")));
       default -> Optional.empty();
     };
+  }
+
+  /** A quantity as it is, but a temperature in degrees Celsius or kelvin. */
+  static double inCelsius(Form quantity) {
+    double number = Double.parseDouble(quantity.text(0));
+    return quantity.text(1).equals(FAHRENHEIT)
+        ? Math.round((number - 32) / 1.8 * 10) / 10.0
+        : number;
   }
 
   private static boolean isReference(String head) {

@@ -334,6 +334,7 @@ public final class QuestionsBack {
     String named = named(said);
     boolean isUnnamed =
         isPronoun(said)
+            || said.is("everything")
             || named.isBlank()
             || named.startsWith(" ")
             || isOfSuchAKind(said) && latestKind().isEmpty();

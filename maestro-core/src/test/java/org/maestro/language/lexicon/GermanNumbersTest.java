@@ -84,6 +84,7 @@ class GermanNumbersTest {
         "achtlampe",
         "einhalb",
         "lampeeinhalb",
+        "zwei komma anderthalb",
       })
   void whatIsNotOneNumberIsNone(String word) {
     assertThat(values(word)).isEmpty();

@@ -64,6 +64,7 @@ class NumberWordsTest {
         "two hundred and ten point seven five | 210.75",
         "three point fifteen | 3.15",
         "3 point 5 | 3.5",
+        "3 point 05 | 3.05",
         "minus two | -2",
         "minus twenty one point five | -21.5",
         "twenty one and a half | 21.5",
@@ -107,6 +108,8 @@ class NumberWordsTest {
         "five point hundred",
         "and a half",
         "0.5 and a half",
+        "-2 and a half",
+        "3 point 1.5",
       })
   void whatIsNotOneNumberIsNone(String words) {
     assertThat(values(words)).isEmpty();
