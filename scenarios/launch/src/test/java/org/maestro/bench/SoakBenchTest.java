@@ -39,8 +39,8 @@ class SoakBenchTest {
       rows(ended.output())
           .forEach(row -> figures.put(row.get("name").asText(), row.get("value").asDouble()));
     }
-    assertThat(figures.get("goals reached")).isGreaterThan(500);
-    assertThat(figures.get("goals held, and then cancelled")).isEqualTo(100);
+    assertThat(figures.get("goals reached")).isGreaterThan(1000);
+    assertThat(figures.get("goals held, and then cancelled")).isEqualTo(200);
     assertThat(figures.get("growth of the live heap for 100 goals"))
         .isLessThan(MOST_MIB_FOR_100_GOALS);
     assertThat(figures.get("growth of what is resident for 100 goals"))
