@@ -72,7 +72,8 @@ abstract class TransportContract {
     publish(publisher, Publication.retained("m/rose/status", bytes("ready")));
     publish(publisher, Publication.retained("m/rose/state", bytes("standby")));
     publish(publisher, Publication.clearing("m/rose/state"));
-    // A connection that is shared tells what it has heard, which the broker may have acknowledged before.
+    // A connection that is shared tells what it has heard, which the broker may have acknowledged
+    // before.
     await(() -> hearing.size() == 3);
     Inbox wanting = new Inbox();
     Inbox ignoring = new Inbox();
