@@ -62,7 +62,9 @@ public final class Listening {
     List<Meaning> now = soFar();
     lastSaid = now.isEmpty() ? lastSaid : now.stream().findFirst();
     Optional<Meaning> best = best(now);
-    boolean isOpen = best.isPresent() && mayBeOfSomethingElse(words.chart());
+    // A word alone may be a verb, too: who lowers the blinds wants no music lower.
+    boolean isOpen =
+        best.isPresent() && (words.chart().size() == 1 || mayBeOfSomethingElse(words.chart()));
     best.ifPresent(meaning -> beginning.understood(word, meaning, isOpen));
     if (word.codePoints().anyMatch(Character::isLetterOrDigit)) {
       isComplete = best.flatMap(Meaning::message).isPresent();

@@ -17,6 +17,9 @@ public final class ConstructionPlaces {
   /** All else that is said. */
   public static final String REST = "REST";
 
+  /** All of it as it stands, where its last word is no verb in a language that has verbs last. */
+  public static final String WHOLE = "WHOLE";
+
   /** All else but the last, where something is said in any words at the end. */
   public static final String BEFORE = "BEFORE";
 

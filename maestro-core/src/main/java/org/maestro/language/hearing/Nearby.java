@@ -10,7 +10,10 @@ final class Nearby {
 
   private Nearby() {}
 
-  /** Those of the words for which another may have been misheard; none of short ones. */
+  /**
+   * Those of the words for which another may have been misheard; none of short ones, nor a short one
+   * of what is longer: who says milk has not said I.
+   */
   static List<String> of(String word, Stream<String> words) {
     if (word.length() < SHORT) {
       return List.of();
@@ -18,6 +21,7 @@ final class Nearby {
     int most = word.length() >= LONG ? 2 : 1;
     return words
         .filter(other -> Math.abs(other.length() - word.length()) <= most)
+        .filter(other -> other.length() > SHORT || word.length() <= other.length())
         .filter(other -> !other.isEmpty() && other.charAt(0) == word.charAt(0))
         .filter(other -> distance(word, other) <= most)
         .distinct()

@@ -113,6 +113,13 @@ public final class ConstructionRules {
   private void rules(Construction construction, List<Part> parts, Consumer<Rule> made) {
     boolean isVerbLast = grammar.list("verb-place").contains(List.of("last"));
     boolean tells = parts.get(0).role() && (!isVerbLast || construction.means().isEmpty());
+    if (isVerbLast && !parts.get(0).role() && parts.get(parts.size() - 1).role()) {
+      Filling whole = new Filling("", List.of(), parts, -1);
+      grammar.patterns().stream()
+          .filter(pattern -> stands(ConstructionPlaces.WHOLE, pattern))
+          .forEach(pattern -> made.accept(rule(pattern, construction, whole)));
+      return;
+    }
     int verbAt = isVerbLast ? parts.size() - 1 : tells ? 1 : 0;
     if (verbAt >= parts.size() || parts.get(verbAt).role() || tells && verbAt == 0) {
       return;
@@ -124,7 +131,8 @@ public final class ConstructionRules {
     boolean isWish = grammar.list("want").contains(List.of(verb)) && !rest.isEmpty();
     for (Rule pattern : grammar.patterns()) {
       boolean mayBe =
-          (isWish || !pattern.category().equals(WISHED))
+          !stands(ConstructionPlaces.WHOLE, pattern)
+              && (isWish || !pattern.category().equals(WISHED))
               && (filling.textAt() >= 0 || !stands(ConstructionPlaces.SAYING, pattern))
               && (isOfAnObject(construction, rest) || !stands(ConstructionPlaces.OBJECT, pattern));
       if (mayBe && tells == stands(ConstructionPlaces.SUBJECT, pattern)) {
@@ -178,7 +186,7 @@ public final class ConstructionRules {
     for (int i = 0; i < pattern.symbols().size(); i++) {
       Symbol symbol = pattern.symbols().get(i);
       String place = symbol instanceof Symbol.Category category ? category.name() : "";
-      if (place.equals(ConstructionPlaces.REST)) {
+      if (place.equals(ConstructionPlaces.REST) || place.equals(ConstructionPlaces.WHOLE)) {
         filling.rest().forEach(part -> items.add(item(construction, part)));
       } else if (place.equals(ConstructionPlaces.BEFORE)) {
         filling

@@ -457,7 +457,8 @@ final class Measures {
             || whose.is("everywhere")
             || whose.is("from")
             || whose.is("within")
-            || whose.is("either");
+            || whose.is("either")
+            || whose.is("each");
     if (!isPlace) {
       Reference said = phrases.resolve(whose, type);
       if (whose.is("it") && said instanceof Reference.None) {
@@ -478,8 +479,12 @@ final class Measures {
           .<Reference>map(here -> new Reference.Single(new Term.Name(here)))
           .orElse(new Reference.Mistyped(where));
     }
+    if (where.is("each")) {
+      return phrases.resolve(
+          new Form("and", where.parts().stream().map(NounPhrases::place).toList()), type);
+    }
     return where.is("rel") || where.is("from") || where.is("within")
-        ? phrases.resolve(where.is("rel") ? where.part(1) : where.part(0), type)
+        ? phrases.resolve(NounPhrases.place(where), type)
         : new Reference.Mistyped(where);
   }
 

@@ -164,7 +164,7 @@ final class Descriptions {
         return phrases.lastPlace().map(place -> within(head, place).placedSomewhere());
       case "everywhere":
         return Optional.of(head.anywhere());
-      case "either":
+      case "either", "each":
         return either(head, where);
       case "where":
         return whereIs(head, where.part(0));
@@ -208,9 +208,28 @@ final class Descriptions {
     }
     Description first = one.get();
     Description second = other.get();
-    return Optional.of(
-        head.with(candidate -> phrases.isSo(first, candidate) || phrases.isSo(second, candidate))
-            .placedSomewhere());
+    List<Formula> here = more(first, head);
+    List<Formula> there = more(second, head);
+    // What a formula says can be asked for, too.
+    boolean isOfFormulas = !here.isEmpty() && !there.isEmpty();
+    Description placed =
+        isOfFormulas
+            ? head.with(
+                new Formula.Or(List.of(all(here), all(there))))
+            : head.with(
+                candidate -> phrases.isSo(first, candidate) || phrases.isSo(second, candidate));
+    return Optional.of(placed.placedSomewhere());
+  }
+
+  private static Formula all(List<Formula> conditions) {
+    return conditions.size() == 1 ? conditions.get(0) : new Formula.And(conditions);
+  }
+
+  /** The conditions that came to the head's; none where something came that is no formula. */
+  private static List<Formula> more(Description placed, Description head) {
+    return placed.tests().equals(head.tests()) && placed.className().equals(head.className())
+        ? placed.conditions().stream().filter(one -> !head.conditions().contains(one)).toList()
+        : List.of();
   }
 
   private Description within(Description head, Term place) {

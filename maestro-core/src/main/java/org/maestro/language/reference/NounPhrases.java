@@ -109,7 +109,7 @@ public final class NounPhrases {
 
   private Reference found(Form phrase, String className) {
     return switch (phrase.head()) {
-      case "np" -> counted(phrase, className);
+      case "np" -> isOfSeveralPlaces(phrase) ? inEach(phrase, className) : counted(phrase, className);
       case "and" -> joined(phrase, className);
       case "or" -> either(phrase, className);
       case "except" -> without(phrase, className);
@@ -139,6 +139,33 @@ public final class NounPhrases {
       return Form.of("except", placed(phrase.part(0), where), phrase.part(1));
     }
     return phrase.is("everything") ? Form.of("everything", where) : phrase;
+  }
+
+  /** What a place is named by. */
+  public static Form place(Form where) {
+    return where.is("rel") ? where.part(1) : where.part(0);
+  }
+
+  private static boolean isOfSeveralPlaces(Form phrase) {
+    Form where = phrase.part(1).part(1);
+    return phrase.text(0).equals("the")
+        && phrase.part(1).is("at")
+        && (where.is("each") || where.is("everywhere"));
+  }
+
+  /** The light in the kitchen and the hall is two, and the light everywhere is all. */
+  private Reference inEach(Form phrase, String className) {
+    Form nominal = phrase.part(1);
+    if (nominal.part(1).is("everywhere")) {
+      return counted(Form.of("np", Form.leaf("all"), nominal), className);
+    }
+    List<Form> all =
+        nominal.part(1).parts().stream()
+            .map(
+                where ->
+                    Form.of("np", phrase.part(0), Form.of("at", nominal.part(0), where)))
+            .toList();
+    return resolve(new Form("and", all), className);
   }
 
   private Reference somebody(Form phrase, String className) {

@@ -368,7 +368,7 @@ public final class QuestionsBack {
           form.part(0).is("at")
               ? said(form.part(0))
               : said(form.part(0)) + " " + said(form.part(1));
-      case "rel", "from", "within", "here", "there", "either", "everywhere" ->
+      case "rel", "from", "within", "here", "there", "either", "each", "everywhere" ->
           grammar.phrase("there");
       case "any" -> "";
       case "it", "them", "him" -> grammar.phrase("it");
