@@ -409,7 +409,7 @@ final class Acts {
 
   private static Formula.Relation relation(Form said) {
     return switch (said.head()) {
-      case "over" -> Formula.Relation.GREATER;
+      case "over", "more" -> Formula.Relation.GREATER;
       case "least" -> Formula.Relation.AT_LEAST;
       case "most" -> Formula.Relation.AT_MOST;
       default -> Formula.Relation.LESS;

@@ -45,7 +45,7 @@ final class Questions {
       case "who" ->
           persons().flatMap(noun -> described(noun, act.part(0))).map(f -> content("query-ref", f));
       case "what" ->
-          described(Form.of("noun", Form.leaf("Thing")), act.part(0))
+          described(Form.of("noun", Form.leaf(NounPhrases.THING)), act.part(0))
               .map(f -> content("query-ref", f));
       case "count" -> described(nominal(act.part(0)), act.part(1)).map(this::counted);
       case "where" -> where(act.part(0));

@@ -37,6 +37,9 @@ public final class NounPhrases {
   /** The class of those who are asked for as persons. */
   private static final String PERSON = "Person";
 
+  /** The class of which everything is: who names it tells nothing. */
+  public static final String THING = "Thing";
+
   private final Map<Form, Map<String, Reference>> resolved = new HashMap<>();
   private int variables;
   private int supposed;
@@ -388,6 +391,11 @@ public final class NounPhrases {
 
   private Reference counted(Form phrase, String className) {
     String determiner = phrase.text(0);
+    boolean isOne = determiner.equals("the") || determiner.equals("this");
+    if (isOne && phrase.part(1).is("noun") && phrase.part(1).text(0).equals(THING)) {
+      // The thing is what was spoken of, and not the only one that is left.
+      return latest(Form.leaf("it"), className);
+    }
     boolean isCount = determiner.equals("count");
     boolean isDefinite = !determiner.equals("a") && !determiner.equals("some");
     Form nominal = phrase.part(isCount ? 2 : 1);
@@ -413,7 +421,6 @@ public final class NounPhrases {
     if (!mayFit) {
       return new Reference.Mistyped(phrase);
     }
-    boolean isOne = determiner.equals("the") || determiner.equals("this");
     boolean isNowhere = isOne && certain.isEmpty() && description.placed();
     List<Term.Name> candidates = isNowhere ? notElsewhere(description, className) : certain;
     if (!candidates.isEmpty() && (isNowhere || description.supposed())) {

@@ -334,7 +334,7 @@ public final class QuestionsBack {
     String named = named(said);
     boolean isUnnamed =
         isPronoun(said)
-            || said.is("everything")
+            || isOfAnything(said)
             || named.isBlank()
             || named.startsWith(" ")
             || isOfSuchAKind(said) && latestKind().isEmpty();
@@ -344,6 +344,16 @@ public final class QuestionsBack {
   /** Whether it is one of a kind that was to be spoken of before. */
   private static boolean isOfSuchAKind(Form form) {
     return form.is("one") || form.parts().stream().anyMatch(QuestionsBack::isOfSuchAKind);
+  }
+
+  private static boolean isOfAnything(Form form) {
+    return switch (form.head()) {
+      case "everything", "any" -> true;
+      case "np" -> isOfAnything(form.part(1));
+      case "at" -> isOfAnything(form.part(0));
+      case "noun" -> form.text(0).equals(NounPhrases.THING);
+      default -> false;
+    };
   }
 
   private static boolean isPronoun(Form form) {
