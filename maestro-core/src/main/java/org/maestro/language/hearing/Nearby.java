@@ -11,8 +11,8 @@ final class Nearby {
   private Nearby() {}
 
   /**
-   * Those of the words for which another may have been misheard; none of short ones, nor a short one
-   * of what is longer: who says milk has not said I.
+   * Those of the words for which another may have been misheard; none of short ones, nor a short
+   * one of what is longer: who says milk has not said I.
    */
   static List<String> of(String word, Stream<String> words) {
     if (word.length() < SHORT) {

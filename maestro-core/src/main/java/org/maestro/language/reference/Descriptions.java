@@ -214,8 +214,7 @@ final class Descriptions {
     boolean isOfFormulas = !here.isEmpty() && !there.isEmpty();
     Description placed =
         isOfFormulas
-            ? head.with(
-                new Formula.Or(List.of(all(here), all(there))))
+            ? head.with(new Formula.Or(List.of(all(here), all(there))))
             : head.with(
                 candidate -> phrases.isSo(first, candidate) || phrases.isSo(second, candidate));
     return Optional.of(placed.placedSomewhere());

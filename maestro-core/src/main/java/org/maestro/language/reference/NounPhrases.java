@@ -112,7 +112,8 @@ public final class NounPhrases {
 
   private Reference found(Form phrase, String className) {
     return switch (phrase.head()) {
-      case "np" -> isOfSeveralPlaces(phrase) ? inEach(phrase, className) : counted(phrase, className);
+      case "np" ->
+          isOfSeveralPlaces(phrase) ? inEach(phrase, className) : counted(phrase, className);
       case "and" -> joined(phrase, className);
       case "or" -> either(phrase, className);
       case "except" -> without(phrase, className);
@@ -164,9 +165,7 @@ public final class NounPhrases {
     }
     List<Form> all =
         nominal.part(1).parts().stream()
-            .map(
-                where ->
-                    Form.of("np", phrase.part(0), Form.of("at", nominal.part(0), where)))
+            .map(where -> Form.of("np", phrase.part(0), Form.of("at", nominal.part(0), where)))
             .toList();
     return resolve(new Form("and", all), className);
   }
