@@ -116,6 +116,7 @@ class WordsOfNoLanguageTest {
           "superlative",
           "REST",
           "FRAME",
+          "WHOLE",
           "BEFORE",
           "SAYING",
           "frame",
