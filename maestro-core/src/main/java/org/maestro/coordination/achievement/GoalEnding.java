@@ -116,6 +116,10 @@ final class GoalEnding {
       story.awaitsCertainty(doubts);
     } else if (monitor.isConfirming()) {
       noPlanToSeeIt();
+    } else if (round.result() instanceof PlanningResult.Impossible impossible
+        && parts.ports().knowledge().doubt(conditions(impossible))) {
+      course.makePlan(
+          Optional.of("by what was learnt from measurements nobody can make it so; it is doubted"));
     } else if (!monitor.isFindingOut() && lastTry.isLeft(round)) {
       life.become(
           GoalPhase.WAITING_FOR_ANOTHER_TRY, "what failed or was not priced is tried once more");
@@ -133,6 +137,12 @@ final class GoalEnding {
         awaitOrGiveUp();
       }
     }
+  }
+
+  private static List<String> conditions(PlanningResult.Impossible impossible) {
+    return impossible.explanation().obstacles().stream()
+        .map(PlanningResult.Obstacle::condition)
+        .toList();
   }
 
   private void awaitOrGiveUp() {

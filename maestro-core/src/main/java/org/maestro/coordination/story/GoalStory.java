@@ -26,6 +26,7 @@ import org.maestro.knowledge.api.Belief;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Script;
+import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Objective;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
@@ -46,6 +47,7 @@ public final class GoalStory {
   private final KnowledgeBase knowledge;
   private final ProposalSentences bids = new ProposalSentences();
   private final PlanRecords plans;
+  private LearntShares learnt = LearntShares.none();
 
   public GoalStory(String goalId, Story story, Clock clock, KnowledgeBase knowledge) {
     this.goalId = goalId;
@@ -71,9 +73,13 @@ public final class GoalStory {
    */
   public void submitted(GoalRequest request, String what) {
     tell(StoryEntry.Kind.GOAL, request.requester() + " asks for: " + what + ".");
-    List<String> known =
-        knowledge.snapshot().beliefs().stream().map(Belief::fact).collect(Collectors.toList());
-    KnownOf knownOf = new KnownOf(knowledge.home(), known);
+    Vocabulary vocabulary = knowledge.home().vocabulary();
+    List<String> known = knowledge.snapshot().beliefs().stream().map(Belief::fact).toList();
+    learnt = LearntShares.of(known, vocabulary);
+    KnownOf knownOf =
+        new KnownOf(
+            knowledge.home(),
+            known.stream().filter(LearntShares.isOne(vocabulary).negate()).toList());
     for (String name : names(request)) {
       tell(StoryEntry.Kind.KNOWN, knownOf.sentences(name));
     }
@@ -240,6 +246,9 @@ public final class GoalStory {
             + "): "
             + sentences().plan(plan.steps())
             + ".");
+    learnt
+        .news(plan.steps(), sentences())
+        .ifPresent(sentence -> tell(StoryEntry.Kind.LEARNT, sentence));
   }
 
   /** The planner broke its search off: a better plan may exist. */

@@ -88,6 +88,11 @@ public abstract class ForwardingKnowledge implements KnowledgeBase {
   }
 
   @Override
+  public boolean doubt(List<String> conditions) {
+    return knowledge.doubt(conditions);
+  }
+
+  @Override
   public Snapshot snapshot() {
     return knowledge.snapshot();
   }

@@ -76,6 +76,18 @@ public interface KnowledgeBase extends AutoCloseable {
    */
   void lost(String member);
 
+  /**
+   * There is no plan because of these conditions: what was learnt of what settings give to numbers
+   * in them counts no more until it is learnt anew, so that nothing is called impossible because
+   * somebody has cleaned a lamp.
+   *
+   * @param conditions in MAESTRO-SL
+   * @return whether anything had been learnt of such numbers
+   */
+  default boolean doubt(List<String> conditions) {
+    return false;
+  }
+
   Snapshot snapshot();
 
   /**

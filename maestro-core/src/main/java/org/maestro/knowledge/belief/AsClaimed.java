@@ -139,7 +139,7 @@ public final class AsClaimed implements Facts {
     }
     Optional<String> function =
         vocabulary.predicate(fluent.name()).flatMap(PredicateDeclaration::computedBy);
-    return function.filter(Geometry::isNumber).isPresent()
+    return function.filter(Geometry::isNumber).isPresent() && now.belief(fluent).isEmpty()
         ? geometry.number(function.get(), fluent.arguments(), positions())
         : now.number(fluent);
   }

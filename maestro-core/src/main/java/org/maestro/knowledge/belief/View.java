@@ -186,28 +186,31 @@ public final class View implements Snapshot {
   @Override
   public OptionalDouble number(Expression.Fluent fluent) {
     StateVariable variable = new StateVariable(fluent.name(), fluent.arguments());
+    Optional<PredicateDeclaration> declared = world.declarations().declared(fluent.name());
     Optional<Cell> cell = cell(variable);
     if (cell.isPresent()) {
       Optional<Held> held = settled(cell.get()).value();
       held.ifPresent(value -> bearWitness(variable, value, true));
-      return held.isPresent() && held.get().value() instanceof Term.Number number
-          ? OptionalDouble.of(number.value())
-          : OptionalDouble.empty();
+      if (held.isPresent() || !isStatedForGood(declared)) {
+        return held.isPresent() && held.get().value() instanceof Term.Number number
+            ? OptionalDouble.of(number.value())
+            : OptionalDouble.empty();
+      }
     }
     OptionalDouble stated = world.described().number(fluent.name(), fluent.arguments());
     if (stated.isPresent()) {
       bearWitness(variable, stated.getAsDouble());
       return stated;
     }
-    String function =
-        world
-            .declarations()
-            .declared(fluent.name())
-            .flatMap(PredicateDeclaration::computedBy)
-            .orElse(fluent.name());
+    String function = declared.flatMap(PredicateDeclaration::computedBy).orElse(fluent.name());
     return world.measures().isNumber(function)
         ? world.measures().number(function, fluent.arguments(), this)
         : OptionalDouble.empty();
+  }
+
+  /** What was learnt of it, and is not believed any more, leaves it as it is stated or computed. */
+  private static boolean isStatedForGood(Optional<PredicateDeclaration> declared) {
+    return declared.filter(d -> d.shareOf().isPresent()).isPresent();
   }
 
   /**

@@ -30,6 +30,7 @@ import org.maestro.sl.TypedVariable;
  * @param least no value of the fluent is below it
  * @param takenFrom where its number comes from unless it is stated by itself
  * @param countedWhen its number is how often this has become so, about this time of day
+ * @param shareOf the number in which its number has a share, so that it is learnt from measurements
  * @param isPrivate its facts are told to those alone whom the home permits that
  */
 public record PredicateDeclaration(
@@ -51,6 +52,7 @@ public record PredicateDeclaration(
     OptionalDouble least,
     Optional<TakenFrom> takenFrom,
     Optional<Formula> countedWhen,
+    Optional<Share> shareOf,
     boolean isPrivate) {
   /** QUDT's names of units, as people write them. */
   private static final Map<String, String> UNIT_SYMBOLS =
@@ -79,7 +81,7 @@ public record PredicateDeclaration(
     validForByClass = Collections.unmodifiableMap(new TreeMap<>(validForByClass));
   }
 
-  /** One that counts nothing, and whose facts everybody may be told. */
+  /** One that counts and learns nothing, and whose facts everybody may be told. */
   public PredicateDeclaration(
       String name,
       String iri,
@@ -116,6 +118,7 @@ public record PredicateDeclaration(
         unit,
         least,
         takenFrom,
+        Optional.empty(),
         Optional.empty(),
         false);
   }
@@ -163,6 +166,7 @@ public record PredicateDeclaration(
         least,
         takenFrom,
         countedWhen.map(called::apply),
+        shareOf.map(share -> share.with(called)),
         isPrivate);
   }
 }

@@ -147,6 +147,14 @@ public final class VocabularyCheck {
                         "write one of distance, inside, viewShare, luxAt, daylightShare,"
                             + " sunlightShare, shortestPath, floorArea, elevation")));
     predicate.takenFrom().ifPresent(from -> checkSource(node, from));
+    predicate
+        .shareOf()
+        .ifPresent(
+            share -> {
+              check(node, "shareOf", variables, names -> names.check(share.number()));
+              check(node, "shareOf", variables, names -> names.check(share.setting()));
+              checkShare(node, predicate, share);
+            });
     for (TypedVariable parameter : predicate.parameters()) {
       parameter
           .className()
@@ -162,6 +170,19 @@ public final class VocabularyCheck {
                       "use the unknown class " + name,
                       Nearest.cure(
                           name, vocabulary.classes().keySet(), "declare it as an owl:Class")));
+    }
+  }
+
+  private void checkShare(Node node, PredicateDeclaration predicate, Share share) {
+    if (!predicate.fluent()) {
+      fault(
+          node, "shareOf", "is said of what is no number", "declare the word as a maestro:Fluent");
+    } else if (!share.tellsOfAll(predicate.parameters())) {
+      fault(
+          node,
+          "shareOf",
+          "leaves an argument of the word open",
+          "let each of its variables stand in maestro:number or in maestro:times");
     }
   }
 

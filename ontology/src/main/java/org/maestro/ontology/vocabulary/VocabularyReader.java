@@ -15,6 +15,7 @@ import org.apache.jena.vocabulary.OWL;
 import org.apache.jena.vocabulary.RDFS;
 import org.maestro.ontology.validation.Maestro;
 import org.maestro.ontology.validation.SourceGraph;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
@@ -174,6 +175,7 @@ public final class VocabularyReader {
         literals.number(node, "least"),
         takenFrom(node),
         formula(node, "countedWhen", fluents),
+        shareOf(node),
         literals.flag(node, "private"));
   }
 
@@ -187,6 +189,28 @@ public final class VocabularyReader {
                     literals.terms(from, "numbers").stream()
                         .map(term -> term instanceof Term.Number number ? (int) number.value() : 0)
                         .toList()));
+  }
+
+  private Optional<Share> shareOf(Node node) {
+    Optional<Node> share = graph.object(node, Maestro.term("shareOf"));
+    Optional<Expression.Fluent> sum = share.flatMap(of -> fluent(of, "number"));
+    Optional<Expression.Fluent> setting = share.flatMap(of -> fluent(of, "times"));
+    if (share.isPresent() && (sum.isEmpty() || setting.isEmpty())) {
+      graph.fault(
+          node,
+          Maestro.term("shareOf"),
+          Optional.empty(),
+          "does not say of what, and by which setting",
+          "write such as [ maestro:number \"(illuminance ?z)\" ; maestro:times \"(level ?l)\" ]");
+    }
+    return sum.flatMap(of -> setting.map(by -> new Share(of, by)));
+  }
+
+  private Optional<Expression.Fluent> fluent(Node node, String property) {
+    return literals
+        .parsed(node, property, SlParser::expression)
+        .filter(Expression.Fluent.class::isInstance)
+        .map(Expression.Fluent.class::cast);
   }
 
   private List<TypedVariable> arguments(Node node) {

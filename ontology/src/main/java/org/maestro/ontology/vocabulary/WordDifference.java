@@ -74,7 +74,8 @@ final class WordDifference {
             declared.validForByClass(),
             declared.likelyWhen(),
             declared.computedBy(),
-            declared.takenFrom());
+            declared.takenFrom(),
+            declared.shareOf());
     respects.put("the rest", others.toString());
   }
 

@@ -17,6 +17,7 @@ import org.maestro.coordination.api.StoryEntry;
 import org.maestro.coordination.api.Thinking;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
+import org.maestro.knowledge.calibration.CalibratedKnowledge;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
@@ -64,7 +65,7 @@ public final class AgentlessSite implements AutoCloseable {
     whole = new FreezableClock(clock, seed);
     main = new FreezableClock(whole, seed);
     bus = new InProcessBus(whole);
-    knowledge = parts.opened(new CollectiveKnowledge(home, main));
+    knowledge = new CalibratedKnowledge(parts.opened(new CollectiveKnowledge(home, main)));
     simulated =
         parts.opened(
             SimulatedHome.start(

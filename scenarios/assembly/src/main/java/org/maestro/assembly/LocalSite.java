@@ -16,6 +16,7 @@ import java.util.stream.Collectors;
 import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.KnowledgeSettings;
+import org.maestro.knowledge.calibration.CalibratedKnowledge;
 import org.maestro.ontology.home.DescriptionReader;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Home;
@@ -245,7 +246,9 @@ public final class LocalSite implements AutoCloseable {
             .dataDirectory()
             .map(directory -> KnowledgeSettings.in(directory.resolve("knowledge")))
             .orElseGet(KnowledgeSettings::inMemory);
-    return CollectiveKnowledge.open(settings.home(), clock, kept.with(settings.store()));
+    return new CalibratedKnowledge(
+        parts.opened(
+            CollectiveKnowledge.open(settings.home(), clock, kept.with(settings.store()))));
   }
 
   private void awaitMembers(Duration opening) {

@@ -68,6 +68,7 @@ final class FamilyEvening {
   private Optional<Duration> agreed = Optional.empty();
   private Optional<String> toldIn = Optional.empty();
   private boolean isServed;
+  private boolean isSaidToHimAlone = true;
 
   private record Said(Speech speech, Duration at) {}
 
@@ -154,6 +155,8 @@ final class FamilyEvening {
   /** He answers what he is asked, and asks for his drink once he sits. */
   private void speak(LocalSite site) {
     for (; answered < heard.size(); answered++) {
+      String to = heard.get(answered).speech().to();
+      isSaidToHimAlone &= to.equals(PERSON) || site.world().zone(PERSON).equals(Optional.of(to));
       String question = heard.get(answered).speech().text();
       Optional.ofNullable(ANSWERS.get(question)).ifPresent(answer -> say(site, answer));
       if (question.equals(LATER)) {
@@ -200,6 +203,7 @@ final class FamilyEvening {
     claim(
         "That dinner is ready is said in the room in which he is.",
         toldIn.filter(room -> areSaid(READY, room)).isPresent());
+    claim("Nothing is said where he is not.", isSaidToHimAlone);
     claim(
         "The pasta is warm, and in the kitchen.",
         devices.value("microwave", "food").equals(MEAL)
@@ -239,8 +243,13 @@ final class FamilyEvening {
         .findFirst();
   }
 
+  /** What was to be so, and is not. */
+  List<String> amiss() {
+    return claims.stream().filter(claim -> !claim.holds()).map(Claim::sentence).toList();
+  }
+
   boolean wentWell() {
-    return claims.stream().allMatch(Claim::holds);
+    return amiss().isEmpty();
   }
 
   /** What is so in the simulated world, in sentences, or as a document where nothing was told. */
