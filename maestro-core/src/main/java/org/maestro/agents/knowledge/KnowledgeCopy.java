@@ -14,6 +14,7 @@ import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.ForwardingKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.calibration.CalibratedKnowledge;
 import org.maestro.sl.Content;
 
 /**
@@ -70,6 +71,14 @@ public final class KnowledgeCopy extends ForwardingKnowledge {
 
   private void forget(String unknown) {
     super.state(new Source(Source.Kind.OBSERVED, "memory"), List.of(unknown));
+  }
+
+  /** Here it does not count any more; what the knowledge agent learns anew is told again. */
+  @Override
+  public boolean doubt(List<String> conditions) {
+    List<String> shares = CalibratedKnowledge.doubtful(home(), snapshot(), conditions);
+    shares.forEach(this::forget);
+    return !shares.isEmpty();
   }
 
   private static Source source(Words words) {

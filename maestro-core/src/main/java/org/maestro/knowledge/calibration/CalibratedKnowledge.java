@@ -16,6 +16,9 @@ import org.maestro.knowledge.api.Snapshot;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
+import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 
@@ -71,6 +74,26 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
     } finally {
       learning.unlock();
     }
+  }
+
+  /**
+   * What was learnt elsewhere, and is doubted because of these conditions.
+   *
+   * @param conditions in MAESTRO-SL
+   * @return that none of it is known, {@code (unknown (gain lamp-b1 zone-b))}
+   */
+  public static List<String> doubtful(Home home, Snapshot known, List<String> conditions) {
+    if (conditions.stream().noneMatch(new SharedNumbers(home.vocabulary())::areIn)) {
+      return List.of();
+    }
+    return known.beliefs().stream()
+        .filter(belief -> belief.source().agent().equals(SOURCE.agent()))
+        .map(belief -> SlParser.fact(belief.fact()))
+        .filter(Fact.Equation.class::isInstance)
+        .map(fact -> ((Fact.Equation) fact).fluent())
+        .map(share -> new Fact.Unknown(new Formula.Atom(share.name(), share.arguments())))
+        .map(SlPrinter::print)
+        .toList();
   }
 
   /** What is stated of devices that are new, or described otherwise, is looked up anew. */

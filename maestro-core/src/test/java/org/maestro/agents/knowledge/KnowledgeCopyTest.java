@@ -6,6 +6,7 @@ import jade.lang.acl.ACLMessage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,11 +20,14 @@ import org.maestro.knowledge.CollectiveKnowledge;
 import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
+import org.maestro.knowledge.calibration.CalibratedKnowledge;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.ontology.home.ReadingRights;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.sl.Content;
+import org.maestro.sl.Expression;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
 /** A copy of what is known says what the original does, whatever that is told. */
@@ -123,5 +127,37 @@ class KnowledgeCopyTest {
         .extracting(Words::print)
         .asString()
         .contains("(:member usher) (:feature greet)", "(:person Bob)");
+  }
+
+  @Test
+  void whatWasLearntOfLampsIsDoubtedHereAndThere() {
+    Home home =
+        new HomeLoader().load(Path.of("../scenarios/assembly/src/main/resources/homes/bob.ttl"));
+    try (CollectiveKnowledge bobs = new CollectiveKnowledge(home, clock)) {
+      KnowledgeCopy lit = new KnowledgeCopy(bobs);
+      double stated = gain(lit);
+      lit.heard(
+          List.of(
+              Words.content(
+                  "inform",
+                  Words.named("fact", Words.text("(= (gain lamp-b1 zone-b) 16)")),
+                  Words.named("source", Words.text(CalibratedKnowledge.SOURCE.agent())),
+                  Words.named("kind", Words.name("observed")),
+                  Words.named("since", Words.text(clock.instant().toString())))));
+      assertThat(gain(lit)).isEqualTo(16);
+
+      assertThat(lit.doubt(List.of("(nextTo Cup Bob)"))).isFalse();
+      assertThat(lit.doubt(List.of("(>= (illuminance zone-b) 72)"))).isTrue();
+      assertThat(lit.doubt(List.of("(>= (illuminance zone-b) 72)"))).isFalse();
+
+      assertThat(gain(lit)).isEqualTo(stated);
+    }
+  }
+
+  private static double gain(KnowledgeBase knowledge) {
+    return knowledge
+        .snapshot()
+        .number((Expression.Fluent) SlParser.expression("(gain lamp-b1 zone-b)"))
+        .orElseThrow();
   }
 }
