@@ -32,10 +32,13 @@ import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.PlanningResult;
 import org.maestro.planning.api.Step;
 import org.maestro.rats.time.Clock;
+import org.maestro.sl.Evaluation;
 import org.maestro.sl.Formula;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** Tells one goal's story in sentences as it happens, and keeps its plans as data. */
 public final class GoalStory {
@@ -247,8 +250,13 @@ public final class GoalStory {
             + sentences().plan(plan.steps())
             + ".");
     learnt
-        .news(plan.steps(), sentences())
+        .news(plan.steps(), this::isKnown, sentences())
         .ifPresent(sentence -> tell(StoryEntry.Kind.LEARNT, sentence));
+  }
+
+  private boolean isKnown(String fact) {
+    Formula formula = SlParser.formula(fact, knowledge.home().vocabulary()::isFluent);
+    return new Evaluation(knowledge.snapshot()).truth(formula, Map.of()) == Truth.TRUE;
   }
 
   /** The planner broke its search off: a better plan may exist. */

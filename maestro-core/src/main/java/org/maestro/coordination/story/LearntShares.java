@@ -1,12 +1,14 @@
 package org.maestro.coordination.story;
 
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -24,13 +26,14 @@ final class LearntShares {
   private static final int MOST_FACTS = 6;
 
   private final Map<String, List<String>> byMember;
+  private final Set<String> told = new HashSet<>();
 
   private LearntShares(Map<String, List<String>> byMember) {
     this.byMember = byMember;
   }
 
   static LearntShares none() {
-    return new LearntShares(new LinkedHashMap<>());
+    return new LearntShares(Map.of());
   }
 
   /**
@@ -74,17 +77,20 @@ final class LearntShares {
     return "";
   }
 
-  /** A sentence on what the steps rest on, unless it was told. */
-  Optional<String> news(List<Step> steps, Sentences sentences) {
-    List<String> facts =
-        steps.stream()
-            .map(Step::member)
-            .distinct()
-            .flatMap(member -> Stream.ofNullable(byMember.remove(member)))
-            .flatMap(List::stream)
-            .map(sentences::fact)
-            .limit(MOST_FACTS)
-            .toList();
+  /**
+   * A sentence on what the steps rest on, unless it was told.
+   *
+   * @param isStill whether a fact is still known
+   */
+  Optional<String> news(List<Step> steps, Predicate<String> isStill, Sentences sentences) {
+    List<String> facts = new ArrayList<>();
+    for (Step step : steps) {
+      for (String fact : byMember.getOrDefault(step.member(), List.of())) {
+        if (facts.size() < MOST_FACTS && isStill.test(fact) && told.add(fact)) {
+          facts.add(sentences.fact(fact));
+        }
+      }
+    }
     return facts.isEmpty()
         ? Optional.empty()
         : Optional.of("Learnt from measurements before: " + String.join("; ", facts) + ".");

@@ -34,7 +34,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
   private static final MathContext DIGITS = new MathContext(3);
 
   private final Lock learning = new ReentrantLock();
-  private final Map<String, MeasuredNumber> measured = new LinkedHashMap<>();
+  private final Map<String, MeasuredByEach> measured = new LinkedHashMap<>();
   private Map<String, Double> told = Map.of();
   private SharedNumbers numbers;
   private Home home;
@@ -53,7 +53,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
       take(home());
       if (!numbers.isEmpty()) {
         moved(run.member(), change);
-        measured(DirectMeasurements.of(run));
+        measured(run.member(), DirectMeasurements.of(run));
       }
     } finally {
       learning.unlock();
@@ -118,7 +118,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
     Term mover = new Term.Name(member);
     for (String fact : change.expected()) {
       int end = fact.lastIndexOf(' ');
-      MeasuredNumber number =
+      MeasuredByEach number =
           fact.startsWith(EQUATION) ? measured.get(fact.substring(EQUATION.length(), end)) : null;
       if (number != null
           && number.parts().stream().noneMatch(p -> p.share().arguments().contains(mover))) {
@@ -127,7 +127,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
     }
   }
 
-  private void measured(Map<Expression.Fluent, Double> values) {
+  private void measured(String observer, Map<Expression.Fluent, Double> values) {
     Snapshot now = snapshot();
     boolean any = false;
     for (Map.Entry<Expression.Fluent, Double> one : values.entrySet()) {
@@ -135,8 +135,8 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
       if (numbers.has(number) && isBelieved(number, one.getValue(), now)) {
         measured
             .computeIfAbsent(
-                SlPrinter.print(number), name -> new MeasuredNumber(numbers.parts(number, now)))
-            .measured(one.getValue(), now);
+                SlPrinter.print(number), name -> new MeasuredByEach(numbers.parts(number, now)))
+            .measured(observer, one.getValue(), now);
         any = true;
       }
     }

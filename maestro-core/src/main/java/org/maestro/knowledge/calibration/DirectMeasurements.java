@@ -6,10 +6,14 @@ import org.maestro.knowledge.api.FeatureRun;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Self;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
-/** The numbers that a feature's result tells as they were measured, and not as reckoned from it. */
+/**
+ * The numbers that a feature's result tells as they were measured, and not as reckoned from it; of
+ * a failure those because of which it failed.
+ */
 final class DirectMeasurements {
   private final FeatureRun run;
   private final Substitution ground;
@@ -24,6 +28,8 @@ final class DirectMeasurements {
     DirectMeasurements measurements = new DirectMeasurements(run);
     if (run.succeeded()) {
       run.feature().learns().ifPresent(measurements::add);
+    } else {
+      run.refs().forEach(measurements::add);
     }
     return measurements.numbers;
   }
@@ -37,6 +43,13 @@ final class DirectMeasurements {
         && value.term() instanceof Term.Variable output
         && run.outputs().get(output.name()) instanceof Term.Number number) {
       numbers.put((Expression.Fluent) ground.apply(change.fluent()), number.value());
+    }
+  }
+
+  private void add(FeatureRun.Learnt ref) {
+    if (ref.value() instanceof Term.Number number
+        && SlParser.expression(ref.fact()) instanceof Expression.Fluent fluent) {
+      numbers.put(fluent, number.value());
     }
   }
 }

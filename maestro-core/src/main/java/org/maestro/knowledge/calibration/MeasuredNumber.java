@@ -9,7 +9,10 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.maestro.knowledge.api.Snapshot;
 
-/** A number that is measured, and what is learnt of the shares in it. Confined to one thread. */
+/**
+ * A number as one observer measures it, and what is learnt of the shares in it. Confined to one
+ * thread.
+ */
 final class MeasuredNumber {
   /** A measurement that comes sooner after a setting may have been made before it. */
   private static final Duration SETTLED = Duration.ofMillis(400);
@@ -39,10 +42,6 @@ final class MeasuredNumber {
     this.settings = new double[parts.size()];
     this.learnt = new Instant[parts.size()];
     Arrays.fill(learnt, Instant.MIN);
-  }
-
-  List<Part> parts() {
-    return parts;
   }
 
   /** Something that has no share has changed the number. */

@@ -155,6 +155,36 @@ class CalibratedKnowledgeTest {
     assertThat(gain("lamp-b1", "zone-b")).isCloseTo(15, within(2.0));
   }
 
+  /** A camera looks into corners that the sensor does not know. */
+  @Test
+  void whatACameraIsToldOfItsLightIsLearntForIt() {
+    allOff();
+    measure(REST);
+    for (double level : List.of(0.25, 1.0, 0.5, 1.0)) {
+      set("lamp-b1", level);
+      tooDarkForTheCamera(2 + level * 20);
+    }
+    assertThat(gain("lamp-b1", "zone-b")).isCloseTo(20, within(2.0));
+
+    measure(REST + gain("lamp-b1", "zone-b"));
+
+    assertThat(gain("lamp-b1", "zone-b")).isCloseTo(30, within(0.5));
+  }
+
+  private void tooDarkForTheCamera(double lux) {
+    knowledge.learn(
+        new FeatureRun(
+            "cam-b",
+            knowledge.home().vocabulary().features().get("observeObject"),
+            Map.of("object", new Term.Name("Cup"), "zone", new Term.Name("zone-b")),
+            false,
+            Map.of(),
+            List.of(
+                new FeatureRun.Learnt(
+                    "(illuminance zone-b)", new Term.Number(lux), Optional.of(">= 72")))));
+    pass(Duration.ofSeconds(1));
+  }
+
   @Test
   void aDayLaterItIsTriedAnew() {
     learnThatLampB1GivesHalf();

@@ -31,9 +31,7 @@ class ShareTest {
   @Test
   void ofWhichNumberAndByWhichSetting() {
     Share share =
-        home(
-                "Fluent",
-                "maestro:number \"(illuminance ?z)\" ; maestro:times \"(level ?h)\"")
+        home("Fluent", "maestro:number \"(illuminance ?z)\" ; maestro:times \"(level ?h)\"")
             .vocabulary()
             .predicate("warmth")
             .orElseThrow()
