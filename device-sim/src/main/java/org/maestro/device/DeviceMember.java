@@ -23,7 +23,7 @@ import org.maestro.rats.time.Clock;
  * A described device with its drivers, ready to be run as a member. Its procedures and values are
  * used on the clock's thread only.
  */
-public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
+public record DeviceMember(MemberProfile profile, MemberProfile.Values values, Motion motion) {
 
   private static final String STANDBY = "standby";
   private static final String SAFE = "safe";
@@ -37,7 +37,7 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
     Set<String> states = new TreeSet<>(Set.of(STANDBY, SAFE));
     Map<String, MemberProfile.Feature> features = new LinkedHashMap<>();
     Deposits deposits = new Deposits();
-    Motion motion = new Motion();
+    Motion motion = new Motion(clock, device.id());
     for (FeatureType type : device.features()) {
       FeatureContext context =
           FeatureContext.of(device.id(), type, drivers, clock, deposits, motion);
@@ -58,7 +58,8 @@ public record DeviceMember(MemberProfile profile, MemberProfile.Values values) {
         new MemberProfile(device.id(), description, states, STANDBY, Set.of(SAFE), features);
     return new DeviceMember(
         profile.takingOver(canTakeOver(device, drivers, procedures)),
-        new SelfReport(new FactTemplates(device.id(), device.reports()), drivers));
+        new SelfReport(new FactTemplates(device.id(), device.reports()), drivers, motion),
+        motion);
   }
 
   /** Who can go where another is at something can do it instead, unless it means that one alone. */

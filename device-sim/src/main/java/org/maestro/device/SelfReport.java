@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.maestro.device.tasks.FactTemplates;
+import org.maestro.device.tasks.Motion;
 import org.maestro.device.tasks.Numbers;
 import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
@@ -39,16 +40,22 @@ final class SelfReport implements MemberProfile.Values {
 
   private final FactTemplates reports;
   private final Drivers drivers;
+  private final Motion motion;
 
-  SelfReport(FactTemplates reports, Drivers drivers) {
+  SelfReport(FactTemplates reports, Drivers drivers, Motion motion) {
     this.reports = reports;
     this.drivers = drivers;
+    this.motion = motion;
   }
 
   @Override
   public List<String> current() {
     List<String> facts = new ArrayList<>();
     words().forEach((word, value) -> reports.statement(word, value).ifPresent(facts::add));
+    motion.bars().stream()
+        .sorted()
+        .map(Term.Name::new)
+        .forEach(name -> reports.statement("bar", name).ifPresent(facts::add));
     drivers
         .find(PersonRecognition.class)
         .ifPresent(

@@ -54,6 +54,7 @@ final class LivingMembers {
             setup.policy(),
             complaints,
             setup.clock());
+    member.motion().whenBarsChange(started::stateChanged);
     synchronized (this) {
       running.put(id, started);
     }

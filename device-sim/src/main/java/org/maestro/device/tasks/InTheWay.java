@@ -38,6 +38,7 @@ final class InTheWay {
 
   private String reason() {
     List<String> names = bars().stream().map(Obstacle::name).toList();
+    robot.barredBy(names);
     if (names.isEmpty()) {
       return "";
     }

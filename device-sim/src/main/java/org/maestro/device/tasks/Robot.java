@@ -72,6 +72,11 @@ final class Robot {
     return new RoutePlanner(walls, surroundings.obstacles()).shortest(start, goals);
   }
 
+  /** There is no free way, as these stand in it. */
+  void barredBy(List<String> names) {
+    motion.barredBy(names);
+  }
+
   /** The same robot, if nothing stood on the floor but this. */
   Robot amid(List<Obstacle> obstacles) {
     return new Robot(base, new Amid(surroundings, obstacles), motion, walls);
@@ -260,6 +265,7 @@ final class Robot {
       completion.failed(noWay.get());
       return;
     }
+    motion.free();
     base.drive(
         route.get().way(),
         new Completion() {

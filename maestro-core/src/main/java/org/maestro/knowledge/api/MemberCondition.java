@@ -18,9 +18,10 @@ public record MemberCondition(String state, boolean busy) {
   private static final String STATE = "memberState";
   private static final String BUSY = "busy";
   private static final String LOST = "lost";
+  private static final String WAITED_FOR = "waitedFor";
 
   /** The words of facts about it. */
-  private static final Set<String> WORDS = Set.of(STATE, BUSY, LOST);
+  private static final Set<String> WORDS = Set.of(STATE, BUSY, LOST, WAITED_FOR);
 
   /** The condition in facts. */
   public List<Fact> facts(String member) {
@@ -35,6 +36,11 @@ public record MemberCondition(String state, boolean busy) {
   /** That the member is there no more. */
   public static Formula.Atom lost(String member) {
     return new Formula.Atom(LOST, List.of(new Term.Name(member)));
+  }
+
+  /** That a goal waits for the member, which does not do just now what is needed of it. */
+  public static Formula.Atom waitedFor(String member) {
+    return new Formula.Atom(WAITED_FOR, List.of(new Term.Name(member)));
   }
 
   /** Whether these facts, in MAESTRO-SL, speak of nothing but conditions of members. */

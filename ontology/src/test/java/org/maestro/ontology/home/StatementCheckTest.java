@@ -18,7 +18,7 @@ class StatementCheckTest {
       quoteCharacter = '~',
       value = {
         "(foo rose) | The goal uses the unknown predicate foo; there are adjoins, busy, canSee, colour, ",
-        "(foo rose) | usuallyIn, each written as in (canSee cam-a Bob).",
+        "(foo rose) | usuallyIn, waitedFor, each written as in (canSee cam-a Bob).",
         "(>= (brightnss zone-a) 1) | unknown fluent brightnss; there are charge, daylight, ",
         "(in Cupp ?where) | Nobody knows a thing named Cupp; write Cup, if that is meant.",
         "(in Cup) | The goal gives in 1 arguments; write (in ?x - Thing ?p - Place).",
