@@ -39,6 +39,9 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
   private SharedNumbers numbers;
   private Home home;
 
+  /** There may be places of which what was learnt has not been told yet. */
+  private boolean isMore;
+
   public CalibratedKnowledge(KnowledgeBase knowledge) {
     super(knowledge);
     this.home = knowledge.home();
@@ -104,6 +107,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
     }
     Home before = home;
     home = now;
+    isMore = !told.isEmpty();
     boolean isSame =
         before.vocabulary().equals(now.vocabulary()) && before.devices().equals(now.devices());
     if (!isSame) {
@@ -129,18 +133,20 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
 
   private void measured(String observer, Map<Expression.Fluent, Double> values) {
     Snapshot now = snapshot();
-    boolean any = false;
+    boolean any = isMore;
     for (Map.Entry<Expression.Fluent, Double> one : values.entrySet()) {
       Expression.Fluent number = one.getKey();
       if (numbers.has(number) && isBelieved(number, one.getValue(), now)) {
-        measured
-            .computeIfAbsent(
-                SlPrinter.print(number), name -> new MeasuredByEach(numbers.parts(number, now)))
-            .measured(observer, one.getValue(), now);
-        any = true;
+        MeasuredByEach shares =
+            measured.computeIfAbsent(
+                SlPrinter.print(number), name -> new MeasuredByEach(numbers.parts(number, now)));
+        Map<Part, Double> before = Map.copyOf(shares.otherwise());
+        shares.measured(observer, one.getValue(), now);
+        any |= !before.equals(shares.otherwise());
       }
     }
     if (any) {
+      isMore = false;
       believe(otherwise(now));
     }
   }
