@@ -42,7 +42,7 @@ final class DirectMeasurements {
         && change.value() instanceof Expression.OfTerm value
         && value.term() instanceof Term.Variable output
         && run.outputs().get(output.name()) instanceof Term.Number number) {
-      numbers.put((Expression.Fluent) ground.apply(change.fluent()), number.value());
+      numbers.put(ground.apply(change.fluent()), number.value());
     }
   }
 

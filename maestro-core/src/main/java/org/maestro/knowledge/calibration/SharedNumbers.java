@@ -61,7 +61,7 @@ final class SharedNumbers {
       Expression.Fluent fluent = fluent(declared, ground);
       double number = stated(fluent, now);
       if (number != 0) {
-        parts.add(new Part(fluent, (Expression.Fluent) ground.apply(share.setting()), number));
+        parts.add(new Part(fluent, ground.apply(share.setting()), number));
       }
     }
   }
@@ -110,7 +110,7 @@ final class SharedNumbers {
     for (int n = 0; n < declared.parameters().size(); n++) {
       bindings.put(declared.parameters().get(n).name(), share.arguments().get(n));
     }
-    return (Expression.Fluent) new Substitution(bindings).apply(share(declared).number());
+    return new Substitution(bindings).apply(share(declared).number());
   }
 
   /** With one more argument, each individual of its class; with more there are too many. */
@@ -136,7 +136,7 @@ final class SharedNumbers {
   private static Expression.Fluent fluent(PredicateDeclaration declared, Substitution ground) {
     List<Term> variables =
         declared.parameters().stream().<Term>map(p -> new Term.Variable(p.name())).toList();
-    return (Expression.Fluent) ground.apply(new Expression.Fluent(declared.name(), variables));
+    return ground.apply(new Expression.Fluent(declared.name(), variables));
   }
 
   private double stated(Expression.Fluent share, Snapshot now) {

@@ -20,8 +20,7 @@ import org.maestro.sl.TypedVariable;
 public record Share(Expression.Fluent number, Expression.Fluent setting) {
 
   Share with(Substitution called) {
-    return new Share(
-        (Expression.Fluent) called.apply(number), (Expression.Fluent) called.apply(setting));
+    return new Share(called.apply(number), called.apply(setting));
   }
 
   /** Whether each argument of the fluent stands in the number or in the setting. */
