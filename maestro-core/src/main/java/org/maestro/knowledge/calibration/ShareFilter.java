@@ -1,9 +1,11 @@
 package org.maestro.knowledge.calibration;
 
+import java.util.List;
+
 /**
  * A Kalman filter for a number that is the sum of shares, each times its setting, and of a rest
- * that wanders: from what is measured after settings have changed it learns the shares. It starts
- * from what is stated of them. Confined to one thread.
+ * that rises or falls, and wanders: from what is measured after settings have changed it learns the
+ * shares. It starts from what is stated of them. Confined to one thread.
  */
 final class ShareFilter {
   /** How far from what is stated a share is expected to be; of that. Assumption. */
@@ -18,6 +20,17 @@ final class ShareFilter {
   private static final double CALM = 0.001;
 
   private static final double USUAL_WANDER = 0.05;
+
+  /** How fast the rest rises or falls, as at dawn, and how that changes in a second; the same. */
+  private static final double TREND = 0.01;
+
+  private static final double TURN = 0.001;
+
+  /** The places of the rest, of its trend, and of the first share in estimates. */
+  private static final int REST = 0;
+
+  private static final int TREND_OF_REST = 1;
+  private static final int SHARES = 2;
 
   /** By so many standard deviations nothing is off that is as before. */
   private static final double FAR = 4;
@@ -48,7 +61,7 @@ final class ShareFilter {
   private final double scale;
   private final double[] estimate;
 
-  /** How unsure the estimate is; the rest first, then the shares. */
+  /** How unsure the estimate is. */
   private final double[][] doubt;
 
   /** How far the estimate varies by the noise alone, if all were as stated. */
@@ -66,7 +79,7 @@ final class ShareFilter {
    * @param stated what each setting gives when it is 1; not 0
    */
   ShareFilter(double[] stated) {
-    int size = stated.length + 1;
+    int size = stated.length + SHARES;
     this.stated = stated.clone();
     double largest = 0;
     for (double share : stated) {
@@ -94,20 +107,23 @@ final class ShareFilter {
   }
 
   private void asStated(int part) {
-    clear(doubt, part + 1);
-    clear(chance, part + 1);
-    estimate[part + 1] = stated[part];
+    int at = part + SHARES;
+    clear(doubt, at);
+    clear(chance, at);
+    estimate[at] = stated[part];
     changes[part] = 0;
-    doubt[part + 1][part + 1] = square(DOUBT * stated[part]);
+    doubt[at][at] = square(DOUBT * stated[part]);
   }
 
   /** Something else has changed the number: what the rest was does not count any more. */
   void forgetRest() {
-    clear(doubt, 0);
-    clear(chance, 0);
-    double any = square(1e4 * scale);
-    doubt[0][0] = any;
-    chance[0][0] = any;
+    for (double[][] matrix : List.of(doubt, chance)) {
+      clear(matrix, REST);
+      clear(matrix, TREND_OF_REST);
+      matrix[REST][REST] = square(1e4 * scale);
+      matrix[TREND_OF_REST][TREND_OF_REST] = square(TREND * scale);
+    }
+    estimate[TREND_OF_REST] = 0;
   }
 
   private static void clear(double[][] matrix, int at) {
@@ -124,8 +140,9 @@ final class ShareFilter {
    * @param now the settings at that time
    */
   void measured(double seconds, double[] now, double number) {
-    doubt[0][0] += wander * seconds;
-    chance[0][0] += wander * seconds;
+    estimate[REST] += seconds * estimate[TREND_OF_REST];
+    passed(doubt, seconds);
+    passed(chance, seconds);
     double noise = square(NOISE * number) + square(GRAIN * scale);
     double error = number - expected(now);
     double variance = variance(doubt, now) + noise;
@@ -156,6 +173,18 @@ final class ShareFilter {
     }
   }
 
+  /** In that time the rest goes on as it went, or turns, or wanders. */
+  private void passed(double[][] matrix, double seconds) {
+    for (int n = 0; n < matrix.length; n++) {
+      matrix[REST][n] += seconds * matrix[TREND_OF_REST][n];
+    }
+    for (int n = 0; n < matrix.length; n++) {
+      matrix[n][REST] += seconds * matrix[n][TREND_OF_REST];
+    }
+    matrix[REST][REST] += wander * seconds;
+    matrix[TREND_OF_REST][TREND_OF_REST] += square(TURN * scale) * seconds;
+  }
+
   private boolean hasChanged(double[] now, int part) {
     return Math.abs(now[part] - settings[part]) > SAME;
   }
@@ -175,18 +204,18 @@ final class ShareFilter {
   }
 
   private double expected(double[] now) {
-    double sum = estimate[0];
+    double sum = estimate[REST];
     for (int part = 0; part < now.length; part++) {
-      sum += now[part] * estimate[part + 1];
+      sum += now[part] * estimate[part + SHARES];
     }
     return sum;
   }
 
   private static double variance(double[][] matrix, double[] now) {
     double[] column = times(matrix, now);
-    double variance = column[0];
+    double variance = column[REST];
     for (int part = 0; part < now.length; part++) {
-      variance += now[part] * column[part + 1];
+      variance += now[part] * column[part + SHARES];
     }
     return variance;
   }
@@ -195,9 +224,9 @@ final class ShareFilter {
   private static double[] times(double[][] matrix, double[] now) {
     double[] column = new double[matrix.length];
     for (int n = 0; n < matrix.length; n++) {
-      column[n] = matrix[n][0];
+      column[n] = matrix[n][REST];
       for (int part = 0; part < now.length; part++) {
-        column[n] += matrix[n][part + 1] * now[part];
+        column[n] += matrix[n][part + SHARES] * now[part];
       }
     }
     return column;
@@ -227,20 +256,21 @@ final class ShareFilter {
 
   /** What the setting gives when it is 1, as far as is known. */
   double share(int part) {
-    return estimate[part + 1];
+    return estimate[part + SHARES];
   }
 
   /** Whether that is otherwise than stated, by more than chance and by enough to matter. */
   boolean isOtherwise(int part) {
-    double difference = Math.abs(estimate[part + 1] - stated[part]);
+    double difference = Math.abs(estimate[part + SHARES] - stated[part]);
     return changes[part] >= ENOUGH
         && difference >= WORTH_TELLING * Math.abs(stated[part])
-        && difference >= CERTAIN * Math.sqrt(Math.max(0, chance[part + 1][part + 1]));
+        && difference >= CERTAIN * Math.sqrt(Math.max(0, chance[part + SHARES][part + SHARES]));
   }
 
   /** Whether the difference does not matter any more. */
   boolean isAsStated(int part) {
-    return Math.abs(estimate[part + 1] - stated[part]) < WORTH_TELLING / 2 * Math.abs(stated[part]);
+    return Math.abs(estimate[part + SHARES] - stated[part])
+        < WORTH_TELLING / 2 * Math.abs(stated[part]);
   }
 
   private static double square(double value) {

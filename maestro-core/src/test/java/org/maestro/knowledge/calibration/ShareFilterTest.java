@@ -118,6 +118,26 @@ class ShareFilterTest {
     assertThat(told / (200 * 60.0)).isLessThanOrEqualTo(mostOften);
   }
 
+  /** At dawn lamps are dimmed as it gets lighter. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 0.5, 1})
+  void lightThatRisesMakesNoLampWeak(double luxPerSecond) {
+    int told = 0;
+    for (int seed = 0; seed < 100; seed++) {
+      Random random = new Random(seed);
+      ShareFilter filter = new ShareFilter(STATED);
+      double rest = 50;
+      for (int n = 0; n < 100; n++) {
+        rest += 10 * luxPerSecond;
+        double level = Math.max(0, Math.ceil((120 - rest) / 80 * 20) / 20);
+        double lux = rest + 80 * level;
+        filter.measured(10, new double[] {level, 0}, lux * (1 + 0.01 * random.nextGaussian()));
+        told += filter.isOtherwise(0) ? 1 : 0;
+      }
+    }
+    assertThat(told / 1e4).isLessThan(0.01);
+  }
+
   /** Lamps that give what they give, whatever is stated. */
   @ParameterizedTest
   @ValueSource(doubles = {0.1, 0.5, 0.8, 1.6})

@@ -34,6 +34,8 @@ final class Renaming {
           "maestro:precondition",
           "maestro:effect",
           "maestro:learns",
+          "maestro:number",
+          "maestro:times",
           "maestro:cost",
           "maestro:costAtLeast",
           "maestro:seconds",
