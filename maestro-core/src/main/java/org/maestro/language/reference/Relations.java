@@ -309,9 +309,16 @@ public final class Relations {
             predicate ->
                 told(predicate, device)
                     .map(Set::stream)
-                    .orElseGet(() -> among.stream().filter(other -> fits(predicate, 1, other)))
+                    .orElseGet(() -> fitting(predicate, among))
                     .filter(other -> holds(predicate.name(), device, other)))
         .collect(Collectors.toCollection(LinkedHashSet::new));
+  }
+
+  /** What is of no class, such as the state that a member tells, is a text and no thing. */
+  private Stream<Term.Name> fitting(PredicateDeclaration predicate, Collection<Term.Name> among) {
+    return typeOf(predicate, 1).isEmpty()
+        ? Stream.empty()
+        : among.stream().filter(other -> fits(predicate, 1, other));
   }
 
   /** Things that something's own state names, rather than what is observed of it. */
