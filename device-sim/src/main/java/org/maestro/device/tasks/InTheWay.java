@@ -11,7 +11,8 @@ import org.maestro.hal.Surroundings.Obstacle;
 import org.maestro.ontology.floor.Point2;
 
 /**
- * Why a robot finds no free way: what stands in it. It is searched for only once no way was found.
+ * Why a robot finds no free way: what stands in it. It is searched for only once no way was found,
+ * and the robot tells of it from then on.
  */
 final class InTheWay {
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Collection;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.maestro.rats.time.Clock;
 
 /**
@@ -37,11 +38,15 @@ public final class Motion {
     return bars;
   }
 
-  /** There is no free way, as these stand in it. */
+  /** There is no free way, as these stand in it: beside those in the way to somewhere else. */
   void barredBy(Collection<String> names) {
-    forgetting.cancel();
-    forgetting = clock.schedule(TOLD, device, () -> bars(Set.of()));
-    bars(Set.copyOf(names));
+    if (!names.isEmpty()) {
+      forgetting.cancel();
+      forgetting = clock.schedule(TOLD, device, () -> bars(Set.of()));
+      Set<String> all = new TreeSet<>(bars);
+      all.addAll(names);
+      bars(Set.copyOf(all));
+    }
   }
 
   /** There is a free way. */

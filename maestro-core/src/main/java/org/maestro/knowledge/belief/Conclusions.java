@@ -31,7 +31,11 @@ public final class Conclusions {
         .filter(variable -> !now.contains(variable))
         .filter(variable -> draft.base().cell(variable).isPresent())
         .forEach(variable -> positions.withdraw(variable, source));
-    bySource.put(source.agent(), now);
+    if (now.isEmpty()) {
+      bySource.remove(source.agent());
+    } else {
+      bySource.put(source.agent(), now);
+    }
     sureness.forEach((fact, sure) -> positions.write(List.of(fact), new Voice(source, sure)));
     return List.of();
   }

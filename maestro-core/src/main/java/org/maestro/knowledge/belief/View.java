@@ -191,7 +191,7 @@ public final class View implements Snapshot {
     if (cell.isPresent()) {
       Optional<Held> held = settled(cell.get()).value();
       held.ifPresent(value -> bearWitness(variable, value, true));
-      if (held.isPresent() || !isStatedForGood(declared)) {
+      if (held.isPresent() || !isShare(declared)) {
         return held.isPresent() && held.get().value() instanceof Term.Number number
             ? OptionalDouble.of(number.value())
             : OptionalDouble.empty();
@@ -208,8 +208,10 @@ public final class View implements Snapshot {
         : OptionalDouble.empty();
   }
 
-  /** What was learnt of it, and is not believed any more, leaves it as it is stated or computed. */
-  private static boolean isStatedForGood(Optional<PredicateDeclaration> declared) {
+  /**
+   * Of a share what was learnt, and is not believed any more, leaves what is stated or computed.
+   */
+  private static boolean isShare(Optional<PredicateDeclaration> declared) {
     return declared.filter(d -> d.shareOf().isPresent()).isPresent();
   }
 

@@ -172,7 +172,7 @@ public final class CalibratedKnowledge extends ForwardingKnowledge {
     Map<String, Double> shares = new TreeMap<>();
     learnt.forEach((part, share) -> shares.put(SlPrinter.print(part.share()), rounded(share)));
     learnt.keySet().stream()
-        .collect(Collectors.groupingBy(Part::setting))
+        .collect(Collectors.groupingBy(part -> List.of(part.share().name(), part.setting())))
         .values()
         .forEach(parts -> shares.putAll(elsewhere(parts, learnt, now)));
     return shares;

@@ -3,10 +3,11 @@ package org.maestro.knowledge.calibration;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.maestro.knowledge.api.FeatureRun;
+import org.maestro.knowledge.belief.FactReader;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
+import org.maestro.sl.Fact;
 import org.maestro.sl.Self;
-import org.maestro.sl.SlParser;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 
@@ -47,9 +48,9 @@ final class DirectMeasurements {
   }
 
   private void add(FeatureRun.Learnt ref) {
-    if (ref.value() instanceof Term.Number number
-        && SlParser.expression(ref.fact()) instanceof Expression.Fluent fluent) {
-      numbers.put(fluent, number.value());
+    if (FactReader.read(ref, run.member()) instanceof Fact.Equation equation
+        && equation.value() instanceof Term.Number number) {
+      numbers.put(equation.fluent(), number.value());
     }
   }
 }

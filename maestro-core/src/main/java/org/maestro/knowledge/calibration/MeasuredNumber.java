@@ -29,6 +29,7 @@ final class MeasuredNumber {
   private final List<Part> parts;
   private final ShareFilter filter;
   private final double[] settings;
+  private final boolean[] known;
   private final Instant[] learnt;
   private final Map<Part, Double> told = new LinkedHashMap<>();
   private Instant last = Instant.MIN;
@@ -40,6 +41,7 @@ final class MeasuredNumber {
     this.parts = List.copyOf(parts);
     this.filter = new ShareFilter(parts.stream().mapToDouble(Part::stated).toArray());
     this.settings = new double[parts.size()];
+    this.known = new boolean[parts.size()];
     this.learnt = new Instant[parts.size()];
     Arrays.fill(learnt, Instant.MIN);
   }
@@ -51,40 +53,30 @@ final class MeasuredNumber {
 
   /** Takes a measurement, unless a setting is as new as it. */
   void measured(double number, Snapshot now) {
-    double[] current = new double[settings.length];
-    for (int part = 0; part < current.length; part++) {
-      current[part] = setting(parts.get(part), now);
-    }
-    if (isUnsettled(now)) {
+    if (parts.isEmpty() || isUnsettled(now)) {
       return;
     }
     boolean isLong = last.isBefore(now.at().minus(LONG));
-    if (isLong || areOthersKnown(current)) {
+    double[] current = new double[settings.length];
+    boolean areTheSameKnown = true;
+    for (int part = 0; part < current.length; part++) {
+      OptionalDouble setting = now.number(parts.get(part).setting());
+      areTheSameKnown &= known[part] == setting.isPresent();
+      known[part] = setting.isPresent();
+      // What nobody knows counts as a part of the rest.
+      current[part] = setting.orElse(0);
+      if (!isLong && current[part] != settings[part]) {
+        learnt[part] = now.at();
+      }
+    }
+    if (isLong || !areTheSameKnown) {
       filter.forgetRest();
     }
     forgetWhatIsOld(now.at());
     double seconds = isLong ? 0 : Duration.between(last, now.at()).toMillis() / 1e3;
-    for (int part = 0; part < current.length; part++) {
-      if (!isLong && known(current[part]) != known(settings[part])) {
-        learnt[part] = now.at();
-      }
-    }
-    System.arraycopy(current, 0, settings, 0, current.length);
-    for (int part = 0; part < current.length; part++) {
-      current[part] = known(current[part]);
-    }
     filter.measured(seconds, current, number);
+    System.arraycopy(current, 0, settings, 0, current.length);
     last = now.at();
-  }
-
-  private static double setting(Part part, Snapshot now) {
-    OptionalDouble setting = now.number(part.setting());
-    return setting.orElse(Double.NaN);
-  }
-
-  /** What nobody knows counts as a part of the rest. */
-  private static double known(double setting) {
-    return Double.isNaN(setting) ? 0 : setting;
   }
 
   private boolean isUnsettled(Snapshot now) {
@@ -92,14 +84,6 @@ final class MeasuredNumber {
     return parts.stream()
         .flatMap(part -> now.belief(part.setting()).stream())
         .anyMatch(belief -> belief.since().isAfter(settled));
-  }
-
-  private boolean areOthersKnown(double[] current) {
-    boolean others = false;
-    for (int part = 0; part < current.length; part++) {
-      others |= Double.isNaN(current[part]) != Double.isNaN(settings[part]);
-    }
-    return others;
   }
 
   private void forgetWhatIsOld(Instant now) {
