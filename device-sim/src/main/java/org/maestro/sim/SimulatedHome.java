@@ -28,6 +28,7 @@ import org.maestro.rats.transport.Transport;
 import org.maestro.sim.drivers.DriverFactory;
 import org.maestro.sim.drivers.FacePages;
 import org.maestro.sim.drivers.SimulatedCamera;
+import org.maestro.sim.life.Life;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Course;
 import org.maestro.sim.scene.Saying;
@@ -176,6 +177,8 @@ public final class SimulatedHome implements AutoCloseable {
     course.faults().forEach((subject, all) -> all.forEach(fault -> faults.begin(subject, fault)));
     Walks walks = new Walks(world, setup.clock());
     course.walks().forEach(walks::start);
+    Life life = new Life(world, setup.clock(), setup.seed());
+    course.roams().forEach(life::begin);
     course.sayings().forEach((person, all) -> all.forEach(saying -> begin(person, saying)));
   }
 

@@ -3,17 +3,15 @@ package org.maestro.sim.drivers;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.device.navigation.RoutePlanner;
-import org.maestro.device.navigation.WalledFloor;
 import org.maestro.hal.Completion;
 import org.maestro.hal.MobileBase;
 import org.maestro.ontology.floor.Point2;
-import org.maestro.ontology.floor.Segment;
 import org.maestro.sim.parameters.BaseData;
 import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.Astray;
 import org.maestro.sim.world.Drive;
 import org.maestro.sim.world.Flaw;
+import org.maestro.sim.world.Lookout;
 import org.maestro.sim.world.World;
 
 /**
@@ -22,19 +20,13 @@ import org.maestro.sim.world.World;
  */
 final class SimulatedBase implements MobileBase {
 
-  /**
-   * A planned way passes obstacles at the very radius; only what is nearer than this less has come
-   * in the way.
-   */
-  private static final double GRAZING_METRES = 0.01;
-
   /** However much it slips, it gets on. */
   private static final double MOST_SLIP = 0.95;
 
   private final Actuator actuator;
   private final BaseData data;
   private final double slip;
-  private WalledFloor walls;
+  private final Lookout lookout;
   private long driveNumber;
 
   /**
@@ -44,7 +36,7 @@ final class SimulatedBase implements MobileBase {
     this.actuator = actuator;
     this.data = data;
     this.slip = slip;
-    this.walls = new WalledFloor(List.of(), data.radius() - GRAZING_METRES);
+    this.lookout = new Lookout(actuator.world(), actuator.device(), data.radius());
   }
 
   @Override
@@ -130,7 +122,8 @@ final class SimulatedBase implements MobileBase {
       roll(drive.wayAhead(now), number, completion);
       return;
     }
-    Encounters.touched(world, actuator.device(), data.radius())
+    lookout
+        .touched()
         .ifPresent(
             other -> world.tell(WorldEvent.Kind.COLLIDED, actuator.device(), Optional.of(other)));
     double left = drive.begun().plus(drive.duration()).minus(now).toNanos() / 1e9;
@@ -138,25 +131,13 @@ final class SimulatedBase implements MobileBase {
       actuator.world().whereabouts().stop(actuator.device());
       actuator.tell(WorldEvent.Kind.DRIVEN);
       completion.done();
-    } else if (!isFree(drive.ahead(now, data.checkSeconds()))) {
+    } else if (!lookout.isFree(drive.ahead(now, data.checkSeconds()), data.checkSeconds())) {
       actuator.world().whereabouts().stop(actuator.device());
       actuator.tell(WorldEvent.Kind.BLOCKED);
       completion.failed("something stands in the way");
     } else {
       actuator.after(Math.min(left, data.checkSeconds()), () -> goOn(rolling, number, completion));
     }
-  }
-
-  private boolean isFree(List<Segment> ahead) {
-    World world = actuator.world();
-    walls = walls.with(world.building().walls());
-    RoutePlanner body = new RoutePlanner(walls, world.whereabouts().obstacles(actuator.device()));
-    return ahead.stream()
-        .allMatch(
-            piece ->
-                body.isFreeWay(piece.from(), piece.to())
-                    && !Encounters.isAhead(
-                        world, actuator.device(), data.radius(), piece, data.checkSeconds()));
   }
 
   @Override

@@ -3,8 +3,6 @@ package org.maestro.sim.drivers;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import org.maestro.device.navigation.RoutePlanner;
-import org.maestro.device.navigation.WalledFloor;
 import org.maestro.hal.Localization;
 import org.maestro.hal.Twist;
 import org.maestro.hal.WheelMotors;
@@ -13,6 +11,7 @@ import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Segment;
 import org.maestro.sim.scene.WorldEvent;
 import org.maestro.sim.world.Drive;
+import org.maestro.sim.world.Lookout;
 import org.maestro.sim.world.World;
 
 /**
@@ -29,14 +28,10 @@ final class SimulatedWheels implements WheelMotors, Localization {
 
   private static final double NANOS = 1e9;
 
-  /** As {@link SimulatedBase} passes obstacles. */
-  private static final double GRAZING_METRES = 0.01;
-
   private final Actuator actuator;
   private final WheelGeometry geometry;
   private final double slip;
-  private final double radius;
-  private WalledFloor walls;
+  private final Lookout lookout;
   private Twist motion = Twist.STILL;
   private Duration since = Duration.ZERO;
   private double headingThen;
@@ -45,8 +40,7 @@ final class SimulatedWheels implements WheelMotors, Localization {
     this.actuator = actuator;
     this.geometry = geometry;
     this.slip = slip;
-    this.radius = radius;
-    this.walls = new WalledFloor(List.of(), radius - GRAZING_METRES);
+    this.lookout = new Lookout(actuator.world(), actuator.device(), radius);
   }
 
   @Override
@@ -109,10 +103,6 @@ final class SimulatedWheels implements WheelMotors, Localization {
 
   @Override
   public boolean isFree(Segment ahead) {
-    World world = actuator.world();
-    walls = walls.with(world.building().walls());
-    return new RoutePlanner(walls, world.whereabouts().obstacles(actuator.device()))
-            .isFreeWay(ahead.from(), ahead.to())
-        && !Encounters.isAhead(world, actuator.device(), radius, ahead, LOOK_AHEAD_SECONDS);
+    return lookout.isFree(List.of(ahead), LOOK_AHEAD_SECONDS);
   }
 }

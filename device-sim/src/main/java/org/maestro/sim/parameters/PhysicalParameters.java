@@ -33,7 +33,8 @@ public record PhysicalParameters(
     SignalData signal,
     ClimateData climate,
     ThermometerData thermometer,
-    SpeechData speech) {
+    SpeechData speech,
+    PersonData person) {
 
   public static PhysicalParameters standard() {
     return new PhysicalParameters(
@@ -57,7 +58,8 @@ public record PhysicalParameters(
         SignalData.USUAL,
         ClimateData.USUAL,
         ThermometerData.USUAL,
-        SpeechData.USUAL);
+        SpeechData.USUAL,
+        PersonData.USUAL);
   }
 
   public PhysicalParameters with(CameraData other) {
@@ -82,7 +84,8 @@ public record PhysicalParameters(
         signal,
         climate,
         thermometer,
-        speech);
+        speech,
+        person);
   }
 
   public PhysicalParameters with(SensorData other) {
@@ -107,7 +110,8 @@ public record PhysicalParameters(
         signal,
         climate,
         thermometer,
-        speech);
+        speech,
+        person);
   }
 
   public PhysicalParameters with(BaseData other) {
@@ -132,7 +136,8 @@ public record PhysicalParameters(
         signal,
         climate,
         thermometer,
-        speech);
+        speech,
+        person);
   }
 
   public PhysicalParameters with(ArmData other) {
@@ -157,7 +162,8 @@ public record PhysicalParameters(
         signal,
         climate,
         thermometer,
-        speech);
+        speech,
+        person);
   }
 
   /** The same with other settings by name, such as {@code world.camera.noise} and {@code 0.05}. */

@@ -32,6 +32,7 @@ final class SceneDoubts {
           entry("speed", SceneDoubts::moves),
           entry("payload", SceneDoubts::moves),
           entry("says", thing -> !thing.classes().contains("Device")),
+          entry("roams", thing -> !thing.classes().contains("Device")),
           entry("walks", thing -> !thing.classes().contains("Device")));
 
   private final SceneText text;

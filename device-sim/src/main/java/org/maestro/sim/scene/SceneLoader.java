@@ -51,6 +51,7 @@ public final class SceneLoader {
           "celsius",
           "fault",
           "walks",
+          "roams",
           "says",
           "state");
 
@@ -120,7 +121,9 @@ public final class SceneLoader {
     text.words().forEach((thing, said) -> words.put(thing, new TreeMap<>(said)));
     Map<String, List<ScriptedFault>> faults = new TreeMap<>();
     Map<String, List<Stop>> walks = new TreeMap<>();
+    Map<String, Double> roams = new TreeMap<>();
     Map<String, List<Saying>> sayings = new TreeMap<>();
+    words.forEach((thing, said) -> attempt(() -> roams(thing, said, roams)));
     words.forEach((thing, said) -> attempt(() -> sayings(thing, said, sayings)));
     words.forEach((thing, said) -> attempt(() -> course(thing, said, faults, walks)));
     List<SceneSky> sky = new ArrayList<>();
@@ -148,7 +151,7 @@ public final class SceneLoader {
         entries,
         sky.stream().findFirst(),
         openings,
-        new Course(faults, walks, sayings),
+        new Course(faults, walks, roams, sayings),
         text.states());
   }
 
@@ -201,6 +204,31 @@ public final class SceneLoader {
           "walks",
           "lets " + thing + " walk, but does not say from where; add a scene:position");
     }
+  }
+
+  private void roams(String thing, Map<String, String> said, Map<String, Double> roams) {
+    if (thing.equals(SceneText.HOME)) {
+      return;
+    }
+    OptionalDouble seconds = number(thing, "roams", said.remove("roams"), 86_400);
+    if (seconds.isPresent() && said.containsKey("walks")) {
+      throw fault(
+          thing,
+          "roams",
+          "lets %s walk a round and go about; leave out scene:walks or scene:roams"
+              .formatted(thing));
+    }
+    if (seconds.isPresent() && seconds.getAsDouble() < 1) {
+      throw fault(
+          thing, "roams", "lets %s stay in no place; write 1 second or more".formatted(thing));
+    }
+    if (seconds.isPresent() && !said.containsKey("position")) {
+      throw fault(
+          thing,
+          "roams",
+          "lets " + thing + " go about, but does not say from where; add a scene:position");
+    }
+    seconds.ifPresent(mean -> roams.put(thing, mean));
   }
 
   private void sayings(String thing, Map<String, String> said, Map<String, List<Saying>> sayings) {

@@ -16,15 +16,14 @@ public final class Walks {
 
   private static final double NANOS = 1e9;
 
-  /** A slow walk; metres a second, assumed. */
-  private static final double WALKING_SPEED = 0.8;
-
   private final World world;
   private final Clock clock;
+  private final double speed;
 
   public Walks(World world, Clock clock) {
     this.world = world;
     this.clock = clock;
+    this.speed = world.persons().speed();
   }
 
   /** From where the person is, corner by corner, for ever. */
@@ -77,10 +76,10 @@ public final class Walks {
 
   private void walk(String person, Point2 to, Runnable then) {
     Point2 here = world.position(person).orElseThrow().floor();
-    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(to), WALKING_SPEED));
+    world.whereabouts().start(person, new Drive(clock.now(), here, List.of(to), speed));
     later(
         person,
-        Math.max(0.1, here.distance(to) / WALKING_SPEED),
+        Math.max(0.1, here.distance(to) / speed),
         () -> {
           world.whereabouts().stop(person);
           world.tell(WorldEvent.Kind.MOVED, person, Optional.empty());

@@ -9,6 +9,7 @@ import org.maestro.hal.Area;
 import org.maestro.hal.Position;
 import org.maestro.ontology.home.Home;
 import org.maestro.rats.time.Clock;
+import org.maestro.sim.parameters.PersonData;
 import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Paint;
 import org.maestro.sim.scene.Scene;
@@ -39,6 +40,7 @@ public final class World {
   private final Climate climate;
   private final Talk talk;
   private final boolean shutters;
+  private final PersonData persons;
   private final List<WorldEvent.Listener> listeners = new CopyOnWriteArrayList<>();
   private volatile boolean ended;
 
@@ -59,6 +61,7 @@ public final class World {
     listen(event -> climate.happened(event.subject()));
     this.talk = new Talk(this, clock);
     this.shutters = parameters.shutters();
+    this.persons = parameters.person();
     home.individuals().keySet().forEach(name -> begin(name, scene.of(name)));
   }
 
@@ -228,6 +231,26 @@ public final class World {
     holder.ifPresent(robot -> tell(WorldEvent.Kind.DROPPED, robot, Optional.of(thing)));
   }
 
+  /** A person takes a thing that is neither in a cupboard nor in a hand. */
+  public void takeByHand(String person, String thing) {
+    boolean taken;
+    synchronized (this) {
+      Body body = whereabouts.body(thing);
+      taken = body.isInTheOpen();
+      if (taken) {
+        whereabouts.put(body.heldBy(person));
+      }
+    }
+    if (taken) {
+      tell(WorldEvent.Kind.PICKED, person, Optional.of(thing));
+    }
+  }
+
+  /** A person puts what she holds on the floor beside her. */
+  public void putDownByHand(String person) {
+    letGo(person, WorldEvent.Kind.PLACED);
+  }
+
   /** Puts a thing into a cupboard where it stands, or takes it out. */
   public synchronized void hide(String thing, boolean hidden) {
     whereabouts.put(whereabouts.body(thing).hidden(hidden));
@@ -268,12 +291,16 @@ public final class World {
 
   /** What the robot holds falls to the floor beside it. */
   public void drop(String robot) {
-    Optional<String> dropped;
+    letGo(robot, WorldEvent.Kind.DROPPED);
+  }
+
+  private void letGo(String holder, WorldEvent.Kind kind) {
+    Optional<String> thing;
     synchronized (this) {
-      dropped = held(robot);
-      dropped.ifPresent(thing -> whereabouts.put(whereabouts.body(thing).at(landingSpot(robot))));
+      thing = held(holder);
+      thing.ifPresent(held -> whereabouts.put(whereabouts.body(held).at(landingSpot(holder))));
     }
-    dropped.ifPresent(thing -> tell(WorldEvent.Kind.DROPPED, robot, Optional.of(thing)));
+    thing.ifPresent(held -> tell(kind, holder, Optional.of(held)));
   }
 
   private Position landingSpot(String robot) {
@@ -418,6 +445,10 @@ public final class World {
 
   public Talk talk() {
     return talk;
+  }
+
+  public PersonData persons() {
+    return persons;
   }
 
   public Containers containers() {

@@ -151,7 +151,13 @@ class CourseTest {
         "<#lamp-b1> scene:fault \"at 5 lie\" . | takes 1 numbers, not 0",
         "<#lamp-b1> scene:fault \"at -5 die\" . | more than none",
         "<#lamp-b1> scene:fault \"upon rain die\" . | \"rain\" is not known",
-        "<#Bob> scene:walks \"1 1\" . | does not say from where"
+        "<#Bob> scene:walks \"1 1\" . | does not say from where",
+        "<#Bob> scene:roams 20 . | does not say from where",
+        "<#Bob> scene:position \"1 1 0\" ; scene:roams 0.5 . | write 1 second or more",
+        "<#Bob> scene:position \"1 1 0\" ; scene:roams \"often\" . | which is no number",
+        "<#Bob> scene:position \"1 1 0\" ; scene:roams 20 ; scene:walks \"1 1\" . | leave out"
+            + " scene:walks or scene:roams",
+        "<> scene:roams 20 . | says something of the sky"
       })
   void whatCannotBeReadIsNamed(String said, String message) {
     assertThatThrownBy(() -> scene(said))

@@ -165,16 +165,28 @@ final class Judge {
   private Verdict failed(Formula goal, Claim claim, Duration now) {
     List<Formula> wanted = new ArrayList<>(held);
     wanted.add(goal);
-    if (!possibilities(now).canBe(new SpelledOut(site.home()).of(new Formula.And(wanted)))) {
+    if (!possibilities(now).canBe(spelled(wanted))) {
       return verdict(claim, Verdict.Kind.IMPOSSIBLE, "");
     }
-    if (now.minus(lastFault).compareTo(NEWS.plus(slack(now))) < 0) {
+    if (now.minus(lastFault).compareTo(NEWS.plus(slack(now))) < 0
+        || site.isInhabited() && couldNotBeLately(wanted, now)) {
       return verdict(claim, Verdict.Kind.TOO_LATE_TO_KNOW, "");
     }
     if (claim.reasons().stream().anyMatch(reason -> isGivenUp(reason))) {
       return verdict(claim, Verdict.Kind.GAVE_UP, "");
     }
     return verdict(claim, Verdict.Kind.FALSELY_IMPOSSIBLE, "it can be done with " + usable(now));
+  }
+
+  /** Whether somebody stood in the way, or had the thing, a moment ago. */
+  private boolean couldNotBeLately(List<Formula> wanted, Duration now) {
+    Formula goal = spelled(wanted);
+    return recent.stream()
+        .anyMatch(moment -> !new Possibilities(site, moment, usable(now)).canBe(goal));
+  }
+
+  private Formula spelled(List<Formula> wanted) {
+    return new SpelledOut(site.home()).of(new Formula.And(wanted));
   }
 
   private static boolean isGivenUp(String reason) {

@@ -32,6 +32,7 @@ public final class RandomHomes {
   private final List<Point2> deskPoints = new ArrayList<>();
   private int order;
   private int colour;
+  private int fewestPersons;
 
   private RandomHomes(long seed) {
     this.chance = new Chance(seed);
@@ -104,6 +105,21 @@ public final class RandomHomes {
             .drawOfAny(flaws.stream().map(Fault.Flawed::device).toList());
     return new RandomHome(
         seed, home.homeText(), home.sceneText(), goals.isEmpty() ? home.goals() : goals, faults);
+  }
+
+  /**
+   * The home of a seed in which one or two persons go about of their own accord, stand in doors,
+   * take things and put them down elsewhere.
+   */
+  public static RandomHome inhabited(long seed) {
+    RandomHomes draft = new RandomHomes(seed);
+    draft.fewestPersons = 1;
+    RandomHome home = draft.drawn(seed);
+    for (String person : draft.cast.persons) {
+      draft.scene("%s> scene:roams %s".formatted(person, number(draft.chance.number(4, 30))));
+    }
+    return new RandomHome(
+        seed, home.homeText(), draft.scene.toString(), home.goals(), home.faults());
   }
 
   private RandomHome drawn(long seed) {
@@ -299,7 +315,7 @@ public final class RandomHomes {
               .formatted(
                   name, text(floor.place(floor.anyRoom(), ROBOT_RADIUS, 0.5)), speed, payload));
     }
-    for (String name : PERSONS.subList(0, chance.whole(0, 2))) {
+    for (String name : PERSONS.subList(0, chance.whole(fewestPersons, 2))) {
       body(cast.persons, name, ":Person", "0.5 0.5 1.2", PERSON_RADIUS, "");
     }
     for (String name : ITEMS.subList(0, chance.whole(1, 3))) {

@@ -25,8 +25,10 @@ import org.maestro.sl.Formula;
  *
  * @param verdicts one for each goal, in the goals' order
  * @param story of all goals, line by line: the same for the same seed
+ * @param contacts of robots and persons who ran into each other
  */
-public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> story) {
+public record RandomRun(
+    RandomHome home, List<Verdict> verdicts, List<String> story, List<String> contacts) {
   private static final Duration LONGEST = Duration.ofMinutes(20);
 
   /** Longer than the latest fault takes to strike. */
@@ -100,8 +102,9 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
               site,
               () -> Moment.of(arena.world(), site, arena.clock().now()),
               () -> arena.knowledge().snapshot());
+      Contacts contacts = new Contacts(arena.world(), site);
       onlooker.begin(arena.bus(), arena.clock());
-      random.faults().forEach(fault -> prepare(fault, arena, judge));
+      random.faults().forEach(fault -> prepare(fault, arena, judge, contacts));
       Map<Integer, Verdict> verdicts = new TreeMap<>();
       Map<Integer, Holding> holdings = new TreeMap<>();
       for (int i = 0; i < random.goals().size(); i++) {
@@ -124,6 +127,7 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
       arena.runUntil(
           () -> {
             Duration now = arena.clock().now();
+            contacts.timePassed();
             if (judge.timePassed(now)) {
               holdings.values().forEach(holding -> holding.timePassed(now));
             }
@@ -136,11 +140,11 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
       for (int i = 0; i < random.goals().size(); i++) {
         verdicts.putIfAbsent(i, Verdict.withoutEnd(random.goals().get(i)));
       }
-      return new RandomRun(random, List.copyOf(verdicts.values()), arena.story());
+      return new RandomRun(random, List.copyOf(verdicts.values()), arena.story(), contacts.found());
     }
   }
 
-  private static void prepare(Fault fault, Arena arena, Judge judge) {
+  private static void prepare(Fault fault, Arena arena, Judge judge, Contacts contacts) {
     arena
         .clock()
         .schedule(
@@ -148,13 +152,14 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
             "fault",
             () -> {
               fault.strike(arena);
+              contacts.forget();
               judge.struck(fault, arena.clock().now());
             });
   }
 
-  /** Whether no claim was false. */
+  /** Whether no claim was false, and nobody was run into. */
   public boolean agrees() {
-    return verdicts.stream().allMatch(verdict -> verdict.kind().agrees());
+    return contacts.isEmpty() && verdicts.stream().allMatch(verdict -> verdict.kind().agrees());
   }
 
   /** Everything that is needed to understand it, and how to see it again. */
@@ -166,12 +171,14 @@ public record RandomRun(RandomHome home, List<Verdict> verdicts, List<String> st
     %s
     %s
     %s
+    %s
     %s\
     """
         .formatted(
             home.seed(),
             home.seed(),
             verdicts,
+            contacts,
             home.faults(),
             String.join("\n", story),
             home.sceneText(),

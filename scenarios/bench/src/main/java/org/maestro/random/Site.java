@@ -71,6 +71,15 @@ final class Site {
     return of("MobileRobot");
   }
 
+  List<String> persons() {
+    return of("Person");
+  }
+
+  /** Whether persons go about in it of their own accord. */
+  boolean isInhabited() {
+    return !scene.course().roams().isEmpty();
+  }
+
   List<String> items() {
     return of("Item");
   }

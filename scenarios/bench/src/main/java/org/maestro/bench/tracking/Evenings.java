@@ -74,7 +74,8 @@ final class Evenings {
         made.entries(),
         made.sky(),
         made.openings(),
-        new Course(scene.course().faults(), walks, scene.course().sayings()),
+        new Course(
+            scene.course().faults(), walks, scene.course().roams(), scene.course().sayings()),
         made.states());
   }
 

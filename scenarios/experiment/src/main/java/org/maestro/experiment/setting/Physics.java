@@ -24,9 +24,9 @@ public final class Physics {
   /**
    * Of hardware that no home of the papers' experiments has: wheels of their own and cameras on
    * robots, driven doors, lamps behind switches, sensors of persons, charging stations,
-   * thermometers and the rooms' warmth, ears and faces. And the shades of white, of which light and
-   * detection do not depend and for which no goal of an experiment asks. What exploration alone has
-   * it names itself.
+   * thermometers and the rooms' warmth, ears and faces; nor do persons walk there. And the shades
+   * of white, of which light and detection do not depend and for which no goal of an experiment
+   * asks. What exploration alone has it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
@@ -48,6 +48,7 @@ public final class Physics {
           "world.climate.",
           "world.thermometer.",
           "world.speech.",
+          "world.person.",
           "world.signal.");
 
   private Physics() {}
