@@ -4,7 +4,7 @@ import java.util.List;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Segment;
 
-/** The floor as a mobile device knows it: its map, and what its scanners see standing there now. */
+/** The floor as a mobile device knows it: its map, and what its scanners saw standing there. */
 public interface Surroundings {
 
   /** Walls and closed doors. */
@@ -14,6 +14,19 @@ public interface Surroundings {
   List<Obstacle> obstacles();
 
   List<Area> areas();
+
+  /** Whether it would see a body now that stood there; one without eyes never does. */
+  default boolean sees(Position place) {
+    return false;
+  }
+
+  /**
+   * What of it is so now for certain: what was seen before, and is out of sight, may be gone, and
+   * doors there may have been opened.
+   */
+  default Surroundings inView() {
+    return this;
+  }
 
   /**
    * Something round that stands on the floor; metres.

@@ -63,7 +63,7 @@ final class InTheWay {
     if (direct.isEmpty()) {
       return List.of();
     }
-    List<Obstacle> rest = new ArrayList<>(robot.surroundings().obstacles());
+    List<Obstacle> rest = new ArrayList<>(robot.surroundings().inView().obstacles());
     List<Obstacle> bars =
         new ArrayList<>(rest.stream().filter(body -> isOn(direct.get(), body)).toList());
     rest.removeAll(bars);

@@ -22,6 +22,15 @@ final class PlaceTask extends ArmTask {
 
   private static final String TOP = "topHeight";
 
+  /** What has a size is a body, which is seen where it stands; a mere point has none. */
+  private static final String SIZE = "size";
+
+  /** It comes after a body that walks on so many times. */
+  private static final int APPROACHES = 3;
+
+  /** A body that has moved farther than this is approached anew; metres. */
+  private static final double MOVED_METRES = 0.1;
+
   private final boolean into;
 
   /**
@@ -50,10 +59,11 @@ final class PlaceTask extends ArmTask {
             context().device(),
             execution,
             List.of(
-                approach(
-                    reach -> ways(target).orElseThrow().apply(reach),
-                    point -> spot.set(new Position(point.x(), point.y(), height(target).orElse(0))),
-                    "Cannot place at " + target.name()),
+                approach(target, spot),
+                new ActionSequence.Action(
+                    "look",
+                    completion -> look(target, chosen(spot), completion),
+                    reason -> left(object, target, reason)),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(chosen(spot), completion)),
                 new ActionSequence.Action(
@@ -66,6 +76,78 @@ final class PlaceTask extends ArmTask {
               execution.succeed(Map.of());
             })
         .run();
+  }
+
+  private ActionSequence.Action approach(Pointer target, AtomicReference<@Nullable Position> spot) {
+    ActionSequence.Action once =
+        approach(
+            reach -> ways(target).orElseThrow().apply(reach),
+            point -> spot.set(new Position(point.x(), point.y(), height(target).orElse(0))),
+            "Cannot place at " + target.name());
+    return new ActionSequence.Action(
+        once.name(),
+        completion -> follow(target, once.command(), APPROACHES, completion),
+        once.failure());
+  }
+
+  private void follow(
+      Pointer target, ActionSequence.Command approach, int times, Completion completion) {
+    Optional<Position> before = place(target);
+    approach.start(
+        new Completion() {
+          @Override
+          public void done() {
+            if (times > 1 && place(target).filter(now -> isApart(before, now)).isPresent()) {
+              follow(target, approach, times - 1, completion);
+            } else {
+              completion.done();
+            }
+          }
+
+          @Override
+          public void failed(String reason) {
+            completion.failed(reason);
+          }
+        });
+  }
+
+  private static boolean isApart(Optional<Position> before, Position now) {
+    return before.filter(then -> then.floor().distance(now.floor()) > MOVED_METRES).isPresent();
+  }
+
+  /** Whether the body beside which something is to stand is there. */
+  private void look(Pointer target, Position spot, Completion completion) {
+    Optional<Position> place = place(target);
+    if (!isBody(target) || place.filter(robot().surroundings()::sees).isEmpty()) {
+      completion.done();
+    } else if (robot().seen(target.name()).isEmpty()) {
+      completion.failed(target.name() + " is not there any more");
+    } else if (place.get().floor().distance(spot.floor())
+        > Reach.GREATEST_DISTANCE + MOVED_METRES) {
+      completion.failed(target.name() + " walks on");
+    } else {
+      completion.done();
+    }
+  }
+
+  private static RatsError left(Pointer object, Pointer target, String reason) {
+    return FeatureContext.unmet(
+        "Cannot place %s at %s: %s.".formatted(object.name(), target.name(), reason),
+        "look for %s again".formatted(target.name()),
+        List.of());
+  }
+
+  private boolean isBody(Pointer target) {
+    return !into && height(target).isEmpty() && target.properties().containsKey(SIZE);
+  }
+
+  /** Where the robot sees it itself, else where the caller knows it to be. */
+  private Optional<Position> place(Pointer target) {
+    return Optional.of(target)
+        .filter(this::isBody)
+        .flatMap(body -> robot().seen(body.name()))
+        .map(Position::onFloor)
+        .or(() -> context().deposits().position(target));
   }
 
   /** The approach, which comes first, has chosen it. */
@@ -115,9 +197,7 @@ final class PlaceTask extends ArmTask {
     if (area.isPresent()) {
       return Optional.of(reach -> reach.within(area.get()));
     }
-    return context()
-        .deposits()
-        .position(target)
+    return place(target)
         .map(
             place ->
                 reach ->

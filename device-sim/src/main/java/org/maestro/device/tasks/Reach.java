@@ -10,6 +10,7 @@ import org.maestro.device.navigation.Route;
 import org.maestro.device.navigation.RoutePlanner;
 import org.maestro.device.navigation.WalledFloor;
 import org.maestro.hal.Area;
+import org.maestro.hal.Surroundings;
 import org.maestro.ontology.floor.Point2;
 
 /**
@@ -22,7 +23,7 @@ final class Reach {
   private static final double USUAL_DISTANCE = 0.4;
 
   /** Farther is no longer beside it, given that positions are known to some centimetres; metres. */
-  private static final double GREATEST_DISTANCE = 0.5;
+  static final double GREATEST_DISTANCE = 0.5;
 
   /** What a gripper holds is no thicker (radius), and stays so far from everything else; metres. */
   private static final double HELD_RADIUS = 0.05;
@@ -95,8 +96,13 @@ final class Reach {
   }
 
   private List<Point2> freeOnes(List<Point2> spots) {
-    held = held.with(robot.surroundings().walls());
-    RoutePlanner body = new RoutePlanner(held, robot.surroundings().obstacles());
+    List<Point2> free = freeOnes(spots, robot.surroundings());
+    return free.isEmpty() ? freeOnes(spots, robot.surroundings().inView()) : free;
+  }
+
+  private List<Point2> freeOnes(List<Point2> spots, Surroundings amid) {
+    held = held.with(amid.walls());
+    RoutePlanner body = new RoutePlanner(held, amid.obstacles());
     return spots.stream().filter(spot -> body.isFree(spot) && robot.isOnMap(spot)).toList();
   }
 }

@@ -39,12 +39,14 @@ final class Robot {
   private final Surroundings surroundings;
   private final Motion motion;
   private WalledFloor walls;
+  private WalledFloor wallsInView;
 
   Robot(FeatureContext context) {
     this.base = context.driver(MobileBase.class);
     this.surroundings = context.driver(Surroundings.class);
     this.motion = context.motion();
     this.walls = new WalledFloor(List.of(), base.radius());
+    this.wallsInView = walls;
   }
 
   private Robot(MobileBase base, Surroundings surroundings, Motion motion, WalledFloor walls) {
@@ -52,6 +54,7 @@ final class Robot {
     this.surroundings = surroundings;
     this.motion = motion;
     this.walls = walls;
+    this.wallsInView = walls;
   }
 
   MobileBase base() {
@@ -66,10 +69,24 @@ final class Robot {
     return route(base.position(), goals);
   }
 
-  /** The way to the nearest of the goals, if it stood there. */
+  /**
+   * The way to the nearest of the goals, if it stood there: amid all that it has seen, else amid
+   * what it sees now, since only going there shows whether the rest is there still.
+   */
   Optional<Route> route(Point2 start, List<Point2> goals) {
     walls = walls.with(surroundings.walls());
-    return new RoutePlanner(walls, surroundings.obstacles()).shortest(start, goals);
+    return new RoutePlanner(walls, surroundings.obstacles())
+        .shortest(start, goals)
+        .or(() -> routeInView(start, goals));
+  }
+
+  private Optional<Route> routeInView(Point2 start, List<Point2> goals) {
+    Surroundings now = surroundings.inView();
+    if (now.equals(surroundings)) {
+      return Optional.empty();
+    }
+    wallsInView = now.walls().equals(surroundings.walls()) ? walls : wallsInView.with(now.walls());
+    return new RoutePlanner(wallsInView, now.obstacles()).shortest(start, goals);
   }
 
   /** There is no free way, as these stand in it. */
@@ -77,9 +94,17 @@ final class Robot {
     motion.barredBy(names);
   }
 
-  /** The same robot, if nothing stood on the floor but this. */
+  /** The same robot, if nothing stood on the floor that it sees but this. */
   Robot amid(List<Obstacle> obstacles) {
-    return new Robot(base, new Amid(surroundings, obstacles), motion, walls);
+    return new Robot(base, new Amid(surroundings.inView(), obstacles), motion, wallsInView);
+  }
+
+  /** Where it sees a body stand now. */
+  Optional<Point2> seen(String body) {
+    return surroundings.inView().obstacles().stream()
+        .filter(obstacle -> obstacle.name().equals(body))
+        .map(Obstacle::middle)
+        .findFirst();
   }
 
   double seconds(Route route) {

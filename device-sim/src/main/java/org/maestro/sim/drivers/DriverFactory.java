@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
+import org.maestro.device.navigation.SeenFloor;
 import org.maestro.hal.Area;
 import org.maestro.hal.Battery;
 import org.maestro.hal.Camera;
@@ -401,9 +402,14 @@ public final class DriverFactory {
     robots.add(device.id());
     Scene.Entry truth = scene.of(device.id());
     double speed = believed(device, "speed", parameters.base().speed(), BaseData.YOUBOT.speed());
+    SeenFloor floor = seenFloor(device.id());
     Undercarriage undercarriage =
         new Undercarriage(
-            device, parameters.wheels(), parameters.base().atSpeed(truth.speed().orElse(speed)));
+            device,
+            parameters.wheels(),
+            parameters.scanner(),
+            parameters.base().atSpeed(truth.speed().orElse(speed)),
+            floor::look);
     BaseData base = undercarriage.base();
     world.whereabouts().put(body.withRadius(base.radius()));
     double payload =
@@ -418,10 +424,19 @@ public final class DriverFactory {
         fitting
             .at(device, actuator, arm, new Grasp(actuator, arm, likeness))
             .with(Battery.class, SimulatedBattery.start(actuator, parameters.battery()))
-            .with(Surroundings.class, new OnBoardMap(device.id(), world));
+            .with(Surroundings.class, floor);
     MobileBase moving = chassis.on(undercarriage, actuator);
     return (moving instanceof Steering front ? fitted.with(Steering.class, front) : fitted)
         .with(MobileBase.class, moving);
+  }
+
+  private SeenFloor seenFloor(String robot) {
+    FloorMap map = world.building().map();
+    return new SeenFloor(
+        new SeenFloor.Plan(map.areas(), map.doors(), map::walls),
+        new SimulatedRangeFinder(robot, world, parameters.scanner()),
+        clock,
+        Duration.ofNanos(Math.round(parameters.scanner().memorySeconds() * 1e9)));
   }
 
   private Drivers seeingRobot(Device device, Actuator actuator, long seed) {

@@ -27,15 +27,18 @@ final class SimulatedBase implements MobileBase {
   private final BaseData data;
   private final double slip;
   private final Lookout lookout;
+  private final Runnable look;
   private long driveNumber;
 
   /**
    * @param slip share of its way that is lost, standard deviation, anew at each look of the scanner
+   * @param look what the scanner does besides
    */
-  SimulatedBase(Actuator actuator, BaseData data, double slip) {
+  SimulatedBase(Actuator actuator, BaseData data, double slip, Runnable look) {
     this.actuator = actuator;
     this.data = data;
     this.slip = slip;
+    this.look = look;
     this.lookout = new Lookout(actuator.world(), actuator.device(), data.radius());
   }
 
@@ -122,6 +125,7 @@ final class SimulatedBase implements MobileBase {
       roll(drive.wayAhead(now), number, completion);
       return;
     }
+    look.run();
     lookout
         .touched()
         .ifPresent(

@@ -189,8 +189,9 @@ public final class SimulatedCamera implements Camera {
 
   private Position measured(Position truth) {
     double error = data.noise() * eye.distance(truth);
+    Point2 seen = actuator.world().faults().astray(actuator.device()).from(truth.floor());
     return new Position(
-        truth.x() + actuator.error(error), truth.y() + actuator.error(error), truth.z());
+        seen.x() + actuator.error(error), seen.y() + actuator.error(error), truth.z());
   }
 
   private List<AreaLight> estimated(List<AreaLight> truth) {

@@ -10,6 +10,7 @@ import org.maestro.hal.wheels.WheelGeometry;
 import org.maestro.hal.wheels.WheeledBase;
 import org.maestro.ontology.home.Device;
 import org.maestro.sim.parameters.BaseData;
+import org.maestro.sim.parameters.ScannerData;
 import org.maestro.sim.parameters.WheelData;
 import org.maestro.sim.world.FloorMap;
 import org.maestro.sl.Term;
@@ -42,16 +43,25 @@ final class Undercarriage {
     }
   }
 
+  /** Of a normal distribution, all but a twentieth lies within. */
+  private static final double DEVIATIONS = 2;
+
   private final Device device;
   private final WheelData wheels;
+  private final ScannerData scanner;
   private final BaseData base;
+  private final Runnable look;
 
   /**
    * @param base at the speed of this robot
+   * @param look to be run as often as it has moved on a little
    */
-  Undercarriage(Device device, WheelData wheels, BaseData base) {
+  Undercarriage(
+      Device device, WheelData wheels, ScannerData scanner, BaseData base, Runnable look) {
     this.device = device;
     this.wheels = wheels;
+    this.scanner = scanner;
+    this.look = look;
     this.base = base.ofRadius(stated("bodyRadius", base.radius()));
   }
 
@@ -63,7 +73,7 @@ final class Undercarriage {
   MobileBase gliding(Actuator actuator) {
     return Wheels.of(device)
         .map(placed -> onWheels(actuator, placed))
-        .orElseGet(() -> new SimulatedBase(actuator, base, wheels.slip()));
+        .orElseGet(() -> new SimulatedBase(actuator, base, wheels.slip(), look));
   }
 
   /**
@@ -71,7 +81,8 @@ final class Undercarriage {
    */
   MobileBase onWheels(Actuator actuator, Wheels usual) {
     WheelGeometry geometry = geometry(Wheels.of(device).orElse(usual));
-    SimulatedWheels turning = new SimulatedWheels(actuator, geometry, wheels.slip(), base.radius());
+    SimulatedWheels turning =
+        new SimulatedWheels(actuator, geometry, wheels.slip(), base.radius(), scanner, look);
     return new WheeledBase(
         geometry,
         turning,
@@ -80,7 +91,7 @@ final class Undercarriage {
         new WheeledBase.Limits(
             base.speed(),
             turnSpeed(),
-            base.radius(),
+            base.radius() + room(),
             base.power(),
             wheels.controlSeconds(),
             0,
@@ -101,6 +112,11 @@ final class Undercarriage {
 
   private double turnSpeed() {
     return Math.toRadians(stated("turnSpeed", Math.toDegrees(wheels.turnSpeed())));
+  }
+
+  /** Kept free around it, for what it errs about where it is. */
+  private double room() {
+    return wheels.slip() > 0 ? DEVIATIONS * scanner.matchError() : 0;
   }
 
   private double stated(String property, double otherwise) {

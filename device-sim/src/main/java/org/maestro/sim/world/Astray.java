@@ -11,6 +11,24 @@ public record Astray(double xMetres, double yMetres) {
     return new Astray(believed.x() - truth.x(), believed.y() - truth.y());
   }
 
+  public Astray plus(double x, double y) {
+    return new Astray(xMetres + x, yMetres + y);
+  }
+
+  public Astray times(double share) {
+    return new Astray(share * xMetres, share * yMetres);
+  }
+
+  /** Whether it knows where it is. */
+  public boolean isNot() {
+    return equals(NOT);
+  }
+
+  /** Where that is which it believes to be there. */
+  public Point2 truth(Point2 believed) {
+    return equals(NOT) ? believed : new Point2(believed.x() - xMetres, believed.y() - yMetres);
+  }
+
   /** Where who is there believes to be. */
   public Point2 from(Point2 truth) {
     return equals(NOT) ? truth : new Point2(truth.x() + xMetres, truth.y() + yMetres);
@@ -18,8 +36,7 @@ public record Astray(double xMetres, double yMetres) {
 
   /** What it reaches when it believes to reach that place. */
   public Position reached(Position believed) {
-    return equals(NOT)
-        ? believed
-        : new Position(believed.x() - xMetres, believed.y() - yMetres, believed.z());
+    Point2 truth = truth(believed.floor());
+    return new Position(truth.x(), truth.y(), believed.z());
   }
 }

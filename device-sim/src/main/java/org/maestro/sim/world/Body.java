@@ -27,7 +27,7 @@ public record Body(
   static final double USUAL_MASS = 0.25;
 
   /** Things higher up than this do not stand in a robot's way; metres. */
-  private static final double ROBOT_HEIGHT = 0.6;
+  public static final double OBSTACLE_METRES = 0.6;
 
   /** Neither in a cupboard nor in a hand. */
   public boolean isInTheOpen() {
@@ -35,7 +35,7 @@ public record Body(
   }
 
   public boolean isObstacle() {
-    return isInTheOpen() && position.z() < ROBOT_HEIGHT;
+    return isInTheOpen() && position.z() < OBSTACLE_METRES;
   }
 
   public Body at(Position place) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.maestro.hal.Area;
 import org.maestro.ontology.floor.FloorPlan;
 import org.maestro.ontology.floor.Point2;
@@ -87,6 +88,13 @@ public final class FloorMap {
   public FloorPlan plan(Set<String> openDoors) {
     return new FloorPlan(
         walled, doors.keySet().stream().filter(openDoors::contains).map(doors::get).toList());
+  }
+
+  /** The same walls, each once, by the doors that are closed. */
+  public List<Segment> walls(Set<String> closedDoors) {
+    Set<String> open = new TreeSet<>(doors.keySet());
+    open.removeAll(closedDoors);
+    return walls(plan(open));
   }
 
   /** Each wall once, though it may bound two rooms. */

@@ -116,7 +116,7 @@ public final class RandomHomes {
     draft.fewestPersons = 1;
     RandomHome home = draft.drawn(seed);
     for (String person : draft.cast.persons) {
-      draft.scene("%s> scene:roams %s".formatted(person, number(draft.chance.number(4, 30))));
+      draft.scene("%s> scene:roams %s".formatted(person, number(draft.chance.number(1, 12))));
     }
     return new RandomHome(
         seed, home.homeText(), draft.scene.toString(), home.goals(), home.faults());
