@@ -58,7 +58,7 @@ final class FaultRunner {
   void begin(String subject, ScriptedFault fault) {
     require(subject, fault);
     switch (fault.when()) {
-      case AT -> later(subject, fault.seconds(), () -> happen(subject, fault));
+      case AT -> world.later(subject, fault.seconds(), () -> happen(subject, fault));
       case EVERY -> again(subject, fault);
       case UPON -> {
         ScriptedFault.Cause cause = fault.cause().orElseThrow();
@@ -70,23 +70,12 @@ final class FaultRunner {
   /** A Poisson process: the time to the next is spread exponentially. */
   private void again(String subject, ScriptedFault fault) {
     double wait = -Math.log(1 - random.nextDouble()) * fault.seconds();
-    later(
+    world.later(
         subject,
         wait,
         () -> {
           happen(subject, fault);
           again(subject, fault);
-        });
-  }
-
-  private void later(String subject, double seconds, Runnable then) {
-    clock.schedule(
-        Duration.ofNanos(Math.round(seconds * NANOS)),
-        subject,
-        () -> {
-          if (!world.hasEnded()) {
-            then.run();
-          }
         });
   }
 

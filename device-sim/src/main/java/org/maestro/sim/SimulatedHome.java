@@ -183,16 +183,8 @@ public final class SimulatedHome implements AutoCloseable {
   }
 
   private void begin(String person, Saying saying) {
-    setup
-        .clock()
-        .schedule(
-            saying.at(),
-            person,
-            () -> {
-              if (!world.hasEnded()) {
-                world.talk().say(person, saying.words());
-              }
-            });
+    world.later(
+        person, saying.at().toNanos() / 1e9, () -> world.talk().say(person, saying.words()));
   }
 
   public World world() {

@@ -91,14 +91,7 @@ public final class Actuator {
 
   /** Runs it later, whether the device has power then or not, unless the world has ended. */
   void afterInAnyCase(double seconds, Runnable effect) {
-    clock.schedule(
-        Duration.ofNanos(Math.round(seconds * NANOS)),
-        device,
-        () -> {
-          if (!world.hasEnded()) {
-            effect.run();
-          }
-        });
+    world.later(device, seconds, effect);
   }
 
   void tell(WorldEvent.Kind kind) {

@@ -52,16 +52,8 @@ final class Walker {
     return world.position(person).orElseThrow().floor();
   }
 
-  /** Runs it so much later, if there is a world still. */
   void after(double seconds, Runnable action) {
-    clock.schedule(
-        Duration.ofNanos(Math.round(seconds * NANOS)),
-        person,
-        () -> {
-          if (!world.hasEnded()) {
-            action.run();
-          }
-        });
+    world.later(person, seconds, action);
   }
 
   /**

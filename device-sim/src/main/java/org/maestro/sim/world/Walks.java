@@ -1,6 +1,5 @@
 package org.maestro.sim.world;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.maestro.ontology.floor.Point2;
@@ -13,8 +12,6 @@ import org.maestro.sim.scene.WorldEvent;
  * (assumed): others have to look out.
  */
 public final class Walks {
-
-  private static final double NANOS = 1e9;
 
   private final World world;
   private final Clock clock;
@@ -57,27 +54,16 @@ public final class Walks {
     double seconds = corners.get(at).seconds();
     Runnable goOn = () -> walk(person, corners, (at + 1) % corners.size());
     if (seconds > 0) {
-      later(person, seconds, goOn);
+      world.later(person, seconds, goOn);
     } else {
       goOn.run();
     }
   }
 
-  private void later(String person, double seconds, Runnable then) {
-    clock.schedule(
-        Duration.ofNanos(Math.round(seconds * NANOS)),
-        person,
-        () -> {
-          if (!world.hasEnded()) {
-            then.run();
-          }
-        });
-  }
-
   private void walk(String person, Point2 to, Runnable then) {
     Point2 here = world.position(person).orElseThrow().floor();
     world.whereabouts().start(person, new Drive(clock.now(), here, List.of(to), speed));
-    later(
+    world.later(
         person,
         Math.max(0.1, here.distance(to) / speed),
         () -> {

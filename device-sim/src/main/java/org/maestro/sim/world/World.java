@@ -27,6 +27,8 @@ public final class World {
   /** Two things are next to each other up to this horizontal distance; metres. */
   public static final double NEXT_TO_METRES = 0.6;
 
+  private static final double NANOS = 1e9;
+
   private final Clock clock;
   private final Building building;
   private final Whereabouts whereabouts;
@@ -463,12 +465,20 @@ public final class World {
     return clock.now();
   }
 
+  /** Runs something so many seconds later, on the clock's thread, unless the world has ended. */
+  public void later(String subject, double seconds, Runnable action) {
+    clock.schedule(
+        Duration.ofNanos(Math.round(seconds * NANOS)),
+        subject,
+        () -> {
+          if (!ended) {
+            action.run();
+          }
+        });
+  }
+
   /** Nothing goes on by itself from now on. */
   public void end() {
     ended = true;
-  }
-
-  public boolean hasEnded() {
-    return ended;
   }
 }

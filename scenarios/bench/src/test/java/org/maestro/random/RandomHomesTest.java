@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongFunction;
 import java.util.stream.LongStream;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.Tag;
@@ -155,15 +156,12 @@ class RandomHomesTest {
   @Test
   @Tag("full")
   void claimsNothingThatIsNotSoInTwoThousandHomes() {
-    Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(SEEDS, "1-2000")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withoutAgents(RandomHomes.of(seed));
-              run.verdicts().forEach(verdict -> counts.merge(verdict.kind(), 1, Integer::sum));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    Map<Verdict.Kind, Integer> counts =
+        verdicts(
+            manySeeds(SEEDS, "1-2000"),
+            seed -> RandomRun.withoutAgents(RandomHomes.of(seed)),
+            softly);
     softly
         .assertThat(counts.getOrDefault(Verdict.Kind.GAVE_UP, 0))
         .as("given up, of " + counts)
@@ -179,27 +177,22 @@ class RandomHomesTest {
   @Tag("full")
   void claimsNothingOfDaylightThatIsNotSoInAHundredHomes() {
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(WINDOWS, "1-100")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withoutAgents(RandomHomes.withWindow(seed));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    verdicts(
+        manySeeds(WINDOWS, "1-100"),
+        seed -> RandomRun.withoutAgents(RandomHomes.withWindow(seed)),
+        softly);
     softly.assertAll();
   }
 
   @Test
   @Tag("full")
   void claimsNothingThatIsNotSoAndRunsIntoNobodyInAThousandInhabitedHomes() {
-    Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(INHABITED, "1-1000")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withoutAgents(RandomHomes.inhabited(seed));
-              run.verdicts().forEach(verdict -> counts.merge(verdict.kind(), 1, Integer::sum));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    Map<Verdict.Kind, Integer> counts =
+        verdicts(
+            manySeeds(INHABITED, "1-1000"),
+            seed -> RandomRun.withoutAgents(RandomHomes.inhabited(seed)),
+            softly);
     softly
         .assertThat(counts.getOrDefault(Verdict.Kind.GAVE_UP, 0))
         .as("given up, of " + counts)
@@ -210,15 +203,12 @@ class RandomHomesTest {
   @Test
   @Tag("full")
   void claimsNothingOfLiarsThatSomebodyCouldHaveSeenInFiveHundredHomes() {
-    Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(LIARS, "1-500")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withoutAgents(RandomHomes.withLiars(seed));
-              run.verdicts().forEach(verdict -> counts.merge(verdict.kind(), 1, Integer::sum));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    Map<Verdict.Kind, Integer> counts =
+        verdicts(
+            manySeeds(LIARS, "1-500"),
+            seed -> RandomRun.withoutAgents(RandomHomes.withLiars(seed)),
+            softly);
     if (Long.getLong(SEED) == null) {
       softly.assertThat(counts).as("lies are met").containsKey(Verdict.Kind.UNSEEN);
     }
@@ -229,12 +219,10 @@ class RandomHomesTest {
   @Tag("full")
   void claimsNothingThatSomebodyCouldHaveSeenInTwoHundredHarshHomes() {
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(HARSH, "1-200")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withoutAgents(RandomHomes.harsh(seed));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    verdicts(
+        manySeeds(HARSH, "1-200"),
+        seed -> RandomRun.withoutAgents(RandomHomes.harsh(seed)),
+        softly);
     softly.assertAll();
   }
 
@@ -243,12 +231,8 @@ class RandomHomesTest {
   @Tag("full")
   void agentsClaimNothingThatSomebodyCouldHaveSeenInFiftyHarshHomes() {
     SoftAssertions softly = new SoftAssertions();
-    manySeeds(AGENTS, "1-50")
-        .forEach(
-            seed -> {
-              RandomRun run = RandomRun.withAgents(RandomHomes.harsh(seed));
-              softly.assertThat(run.agrees()).as(run.text()).isTrue();
-            });
+    verdicts(
+        manySeeds(AGENTS, "1-50"), seed -> RandomRun.withAgents(RandomHomes.harsh(seed)), softly);
     softly.assertAll();
   }
 
@@ -258,6 +242,20 @@ class RandomHomesTest {
     SoftAssertions softly = new SoftAssertions();
     manySeeds(AGENTS, "1-100").forEach(seed -> compareWithAgents(seed, softly));
     softly.assertAll();
+  }
+
+  /** Each of them agrees; how often there is which verdict. */
+  private static Map<Verdict.Kind, Integer> verdicts(
+      LongStream seeds, LongFunction<RandomRun> run, SoftAssertions softly) {
+    Map<Verdict.Kind, Integer> counts = new EnumMap<>(Verdict.Kind.class);
+    seeds
+        .mapToObj(run)
+        .forEach(
+            ran -> {
+              ran.verdicts().forEach(verdict -> counts.merge(verdict.kind(), 1, Integer::sum));
+              softly.assertThat(ran.agrees()).as(ran.text()).isTrue();
+            });
+    return counts;
   }
 
   private static int givenUpAtMost(Map<Verdict.Kind, Integer> counts) {
