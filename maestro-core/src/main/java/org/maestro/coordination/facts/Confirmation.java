@@ -96,8 +96,9 @@ public final class Confirmation {
   }
 
   /**
-   * What was observed since: a thing is not in the zone of the other that its doer put it beside.
-   * It may lie just beyond, so other zones are looked at before this counts.
+   * What was observed since: a thing is not in the zone of the other that its doer put it beside,
+   * or not in the one in which its doer says to have put it. It may lie just beyond, so other zones
+   * are looked at before this counts.
    */
   public List<Belief> missed() {
     return missed;

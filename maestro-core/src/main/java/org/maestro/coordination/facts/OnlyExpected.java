@@ -94,7 +94,10 @@ final class OnlyExpected {
     return List.copyOf(denials);
   }
 
-  /** What witnesses say who looked for a thing where the other is that it is to be beside. */
+  /**
+   * What witnesses say who looked for a thing where the other is that it is to be beside, or where
+   * its doer says to have put it.
+   */
   List<Belief> missed() {
     return List.copyOf(missed);
   }
@@ -205,6 +208,7 @@ final class OnlyExpected {
           things.add(thing.text());
           note(position(thing), places, POSITION, condition);
           noteMissed(thing, arguments, claims);
+          claims.stream().filter(OnlyExpected::isExpected).forEach(said -> noteMissed(thing, said));
         }
       }
     }
@@ -227,6 +231,22 @@ final class OnlyExpected {
                           .map(said -> deniedSince(there, said.since()))
                           .forEach(missed::addAll));
         }
+      }
+    }
+  }
+
+  /** Who did it has said as well where the thing is, and others have looked there since. */
+  private void noteMissed(Term.Name thing, Belief said) {
+    for (PredicateDeclaration declared : vocabulary.predicates().values()) {
+      if (declared.functional() && declared.observedWhen().isPresent()) {
+        snapshot.claims(new Formula.Atom(declared.name(), List.of(thing, thing))).stream()
+            .filter(place -> isExpected(place) && place.source().equals(said.source()))
+            .filter(place -> place.since().equals(said.since()))
+            .map(place -> SlParser.formula(place.fact(), vocabulary::isFluent))
+            .filter(Formula.Atom.class::isInstance)
+            .map(Formula.Atom.class::cast)
+            .map(there -> deniedSince(there, said.since()))
+            .forEach(missed::addAll);
       }
     }
   }

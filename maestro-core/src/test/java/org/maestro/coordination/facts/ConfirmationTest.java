@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.maestro.knowledge.api.Belief;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.ontology.vocabulary.Vocabulary;
@@ -54,6 +55,20 @@ class ConfirmationTest {
     assertThat(needed.denials()).isEmpty();
     assertThat(needed.oldest()).isEmpty();
     assertThat(needed.isOnlyDisputed()).isFalse();
+  }
+
+  /** Bob has taken it along, and nobody knows where he is. */
+  @Test
+  void whoLooksWhereItWasPutAndDoesNotSeeItMissesIt() {
+    bobs.told("rose", "(in rose zone-a)");
+    bobs.seen("cam-a", "(position Bob \"1 1.3 0\")");
+    bobs.done(bobs.step("rose", "place", "object=Cup", "target=Bob", "zone=zone-a"));
+    bobs.pass(Duration.ofSeconds(1));
+    bobs.seen("cam-a", "(not (in Bob zone-a))", "(not (in Cup zone-a))");
+
+    assertThat(needed(bobs, "(nextTo Cup Bob)").orElseThrow().missed())
+        .extracting(Belief::fact)
+        .containsExactly("(not (in Cup zone-a))");
   }
 
   @Test

@@ -115,8 +115,9 @@ class RandomHomesTest {
     assertThat(run.agrees()).as(run.text()).isTrue();
   }
 
+  /** In the last two somebody walks off beside whom a robot puts a thing, once with the thing. */
   static LongStream someInhabitedSeeds() {
-    return seeds(1, 12).filter(seed -> seed != 7 || Long.getLong(SEED) != null);
+    return seeds(1, 12, 364, 416).filter(seed -> seed != 7 || Long.getLong(SEED) != null);
   }
 
   @ParameterizedTest(name = "inhabited seed {0}")
