@@ -32,6 +32,7 @@ public final class Physics {
       List.of(
           "world.turn.",
           "world.presence.",
+          "world.scanner.match",
           "world.recognition.",
           "world.phone.",
           "world.wheels.wheelRadius",
