@@ -136,9 +136,14 @@ class SeenFloorTest {
         .orElseThrow();
   }
 
+  /** He is where he was told to be when it sets out, and walks on before its eyes. */
   @Test
-  void placesBesideWhoHasMovedOnWhereItSeesHim() {
-    Result placed = placeAtBob(() -> put("Bob", new Position(0.8, 0.5, 0)));
+  void comesAfterWhoWalksOn() {
+    Result placed =
+        placeAtBob(
+            () ->
+                homes.clock.schedule(
+                    Duration.ofMillis(800), "Bob", () -> put("Bob", new Position(0.8, 0.5, 0))));
 
     assertThat(placed.outcome()).isEqualTo(Outcome.SUCCEEDED);
     assertThat(homes.world().isNextTo("Cup", "Bob")).isTrue();

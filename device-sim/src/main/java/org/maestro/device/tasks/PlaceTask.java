@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.maestro.hal.Area;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Position;
+import org.maestro.ontology.floor.Point2;
 import org.maestro.rats.member.Execution;
 import org.maestro.rats.protocol.RatsError;
 
@@ -49,7 +50,8 @@ final class PlaceTask extends ArmTask {
       execution.fail(notHeld(parameters, "The hand does not hold " + object.name() + "."));
       return;
     }
-    if (ways(target).isEmpty()) {
+    Optional<FollowedBody> body = body(target);
+    if (ways(target, body).isEmpty()) {
       throw new InvalidCallException(
           "The pointer target comes without position and is no area of the map.");
     }
@@ -59,10 +61,10 @@ final class PlaceTask extends ArmTask {
             context().device(),
             execution,
             List.of(
-                approach(target, spot),
+                approach(target, body, spot),
                 new ActionSequence.Action(
                     "look",
-                    completion -> look(target, chosen(spot), completion),
+                    completion -> look(target, body, chosen(spot), completion),
                     reason -> left(object, target, reason)),
                 new ActionSequence.Action(
                     "reach out", completion -> arm().extend(chosen(spot), completion)),
@@ -78,27 +80,30 @@ final class PlaceTask extends ArmTask {
         .run();
   }
 
-  private ActionSequence.Action approach(Pointer target, AtomicReference<@Nullable Position> spot) {
+  private ActionSequence.Action approach(
+      Pointer target, Optional<FollowedBody> body, AtomicReference<@Nullable Position> spot) {
     ActionSequence.Action once =
         approach(
-            reach -> ways(target).orElseThrow().apply(reach),
+            reach -> ways(target, body).orElseThrow().apply(reach),
             point -> spot.set(new Position(point.x(), point.y(), height(target).orElse(0))),
             "Cannot place at " + target.name());
-    return new ActionSequence.Action(
-        once.name(),
-        completion -> follow(target, once.command(), APPROACHES, completion),
-        once.failure());
+    return body.isEmpty()
+        ? once
+        : new ActionSequence.Action(
+            once.name(),
+            completion -> follow(body.get(), once.command(), APPROACHES, completion),
+            once.failure());
   }
 
-  private void follow(
-      Pointer target, ActionSequence.Command approach, int times, Completion completion) {
-    Optional<Position> before = place(target);
+  private static void follow(
+      FollowedBody body, ActionSequence.Command approach, int times, Completion completion) {
+    Point2 before = body.place().floor();
     approach.start(
         new Completion() {
           @Override
           public void done() {
-            if (times > 1 && place(target).filter(now -> isApart(before, now)).isPresent()) {
-              follow(target, approach, times - 1, completion);
+            if (times > 1 && body.place().floor().distance(before) > MOVED_METRES) {
+              follow(body, approach, times - 1, completion);
             } else {
               completion.done();
             }
@@ -111,23 +116,20 @@ final class PlaceTask extends ArmTask {
         });
   }
 
-  private static boolean isApart(Optional<Position> before, Position now) {
-    return before.filter(then -> then.floor().distance(now.floor()) > MOVED_METRES).isPresent();
-  }
-
   /** Whether the body beside which something is to stand is there. */
-  private void look(Pointer target, Position spot, Completion completion) {
-    Optional<Position> place = place(target);
-    if (!isBody(target) || place.filter(robot().surroundings()::sees).isEmpty()) {
-      completion.done();
-    } else if (robot().seen(target.name()).isEmpty()) {
+  private static void look(
+      Pointer target, Optional<FollowedBody> body, Position spot, Completion completion) {
+    if (body.filter(FollowedBody::isGone).isPresent()) {
       completion.failed(target.name() + " is not there any more");
-    } else if (place.get().floor().distance(spot.floor())
-        > Reach.GREATEST_DISTANCE + MOVED_METRES) {
+    } else if (body.filter(it -> !isBeside(it.place(), spot)).isPresent()) {
       completion.failed(target.name() + " walks on");
     } else {
       completion.done();
     }
+  }
+
+  private static boolean isBeside(Position body, Position spot) {
+    return body.floor().distance(spot.floor()) <= Reach.GREATEST_DISTANCE + MOVED_METRES;
   }
 
   private static RatsError left(Pointer object, Pointer target, String reason) {
@@ -137,17 +139,10 @@ final class PlaceTask extends ArmTask {
         List.of());
   }
 
-  private boolean isBody(Pointer target) {
-    return !into && height(target).isEmpty() && target.properties().containsKey(SIZE);
-  }
-
-  /** Where the robot sees it itself, else where the caller knows it to be. */
-  private Optional<Position> place(Pointer target) {
-    return Optional.of(target)
-        .filter(this::isBody)
-        .flatMap(body -> robot().seen(body.name()))
-        .map(Position::onFloor)
-        .or(() -> context().deposits().position(target));
+  private Optional<FollowedBody> body(Pointer target) {
+    return into || height(target).isPresent() || !target.properties().containsKey(SIZE)
+        ? Optional.empty()
+        : context().deposits().position(target).map(told -> new FollowedBody(robot(), told));
   }
 
   /** The approach, which comes first, has chosen it. */
@@ -188,7 +183,8 @@ final class PlaceTask extends ArmTask {
    * Empty when the target can be nowhere; what is found by asking is empty when there is no free
    * spot or way.
    */
-  private Optional<Function<Reach, Optional<Reach.Approach>>> ways(Pointer target) {
+  private Optional<Function<Reach, Optional<Reach.Approach>>> ways(
+      Pointer target, Optional<FollowedBody> body) {
     Optional<Area> area =
         target
             .outline()
@@ -197,7 +193,8 @@ final class PlaceTask extends ArmTask {
     if (area.isPresent()) {
       return Optional.of(reach -> reach.within(area.get()));
     }
-    return place(target)
+    return body.map(FollowedBody::place)
+        .or(() -> context().deposits().position(target))
         .map(
             place ->
                 reach ->
@@ -221,7 +218,7 @@ final class PlaceTask extends ArmTask {
   @Override
   Estimate cost(CallParameters parameters) {
     Pointer target = parameters.pointer("target");
-    return ways(target)
+    return ways(target, body(target))
         .map(approach -> price(approach, arm().placeSeconds(), target.name()))
         .orElseGet(() -> price(arm().placeSeconds()));
   }

@@ -1,6 +1,7 @@
 package org.maestro.device.tasks;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -99,12 +100,18 @@ final class Robot {
     return new Robot(base, new Amid(surroundings.inView(), obstacles), motion, wallsInView);
   }
 
-  /** Where it sees a body stand now. */
-  Optional<Point2> seen(String body) {
+  /** The body of that name, if it is in view now. */
+  Optional<Obstacle> seen(String body) {
     return surroundings.inView().obstacles().stream()
         .filter(obstacle -> obstacle.name().equals(body))
-        .map(Obstacle::middle)
         .findFirst();
+  }
+
+  /** The body in view that stands nearest to a place, and no farther from it than that. */
+  Optional<Obstacle> seenAt(Point2 place, double metres) {
+    return surroundings.inView().obstacles().stream()
+        .filter(obstacle -> obstacle.middle().distance(place) <= metres)
+        .min(Comparator.comparingDouble(obstacle -> obstacle.middle().distance(place)));
   }
 
   double seconds(Route route) {

@@ -22,8 +22,8 @@ import org.maestro.sim.world.World;
  */
 record Aim(double second, boolean grasping, String meant, Optional<String> truly) {
 
-  /** As far as an arm reaches, and as far away as something is put down. */
-  private static final double THERE_METRES = 0.9;
+  /** As far as an arm reaches with its slack, and as far away as something is put down. */
+  private static final double THERE_METRES = 0.96;
 
   private static final double MILLIS = 1e3;
 
