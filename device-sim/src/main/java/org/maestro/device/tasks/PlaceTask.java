@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -23,8 +24,8 @@ final class PlaceTask extends ArmTask {
 
   private static final String TOP = "topHeight";
 
-  /** What has a size is a body, which is seen where it stands; a mere point has none. */
-  private static final String SIZE = "size";
+  /** Of a mere point nothing else is known; of a body it is, such as its size. */
+  private static final Set<String> OF_POINTS = Set.of("position");
 
   /** It comes after a body that walks on so many times. */
   private static final int APPROACHES = 3;
@@ -140,7 +141,7 @@ final class PlaceTask extends ArmTask {
   }
 
   private Optional<FollowedBody> body(Pointer target) {
-    return into || height(target).isPresent() || !target.properties().containsKey(SIZE)
+    return into || height(target).isPresent() || OF_POINTS.containsAll(target.properties().keySet())
         ? Optional.empty()
         : context().deposits().position(target).map(told -> new FollowedBody(robot(), told));
   }
