@@ -37,6 +37,7 @@ final class Illumination implements Experiment {
     "world.camera.noticesGlare",
     "world.facade.",
     "world.base.",
+    "world.scanner.",
     "world.wheels.",
     "world.arm.",
     "world.gripper.",

@@ -51,6 +51,7 @@ record TellingRun(
           Map.entry("world.arm.placingError", "1"),
           Map.entry("broken-cup world.arm.placingError", "3"),
           Map.entry("world.base.radius", "0.36"),
+          Map.entry("world.scanner.range", "0.3"),
           Map.entry("world.gripper.bagDiameter", "0.02"),
           Map.entry("world.gripper.vacuum", "0.5"),
           Map.entry("world.gripper.pinch", "0.0005"),

@@ -33,6 +33,7 @@ public final class Physics {
           "world.turn.",
           "world.presence.",
           "world.scanner.match",
+          "world.scanner.memorySeconds",
           "world.recognition.",
           "world.phone.",
           "world.wheels.wheelRadius",
