@@ -38,6 +38,11 @@ final class BudgetedSearch {
   /** Of the budget from one round to the next. */
   private static final double GROWTH = 1.5;
 
+  /**
+   * As long as nothing is searched: what is made ground in vain takes longer than to look again.
+   */
+  private static final double GROWTH_UNTIL_IN_REACH = 1.05;
+
   /** So that rounding does not keep it where it is. */
   private static final double LEAST_GROWTH = 1.02;
 
@@ -132,7 +137,7 @@ final class BudgetedSearch {
         ground = ground(budget);
       }
       Round round = round(ground, budget);
-      double next = Math.max(round.beyond(), budget * GROWTH);
+      double next = Math.max(round.beyond(), budget * growth(ground));
       if (round.outcome() instanceof OptimalSearch.Outcome.Found found) {
         PlanningResult.Found result = result(round, found.operators());
         double worthLookingAt = worthLookingAt(result.plan());
@@ -155,6 +160,10 @@ final class BudgetedSearch {
       budget = next;
       ground = budget >= ground.beyond() ? ground(budget) : ground;
     }
+  }
+
+  private static double growth(Ground ground) {
+    return ground.bounds().isEmpty() ? GROWTH_UNTIL_IN_REACH : GROWTH;
   }
 
   private static double least(Ground ground) {

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import org.maestro.planning.alike.FewAlike;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.Planner;
 import org.maestro.planning.api.PlanningResult;
@@ -58,7 +60,28 @@ public final class OptimalPlanner implements Planner {
 
   @Override
   public PlanningResult solve(PlanningTask task) {
-    return solved(task, true);
+    return withFewAlike(task, one -> solved(one, true));
+  }
+
+  /**
+   * What is found with few of the members that are alike, where nothing is claimed to be the best:
+   * a plan that has to find things out first. Else what is found with all of them.
+   */
+  static PlanningResult withFewAlike(
+      PlanningTask task, Function<PlanningTask, PlanningResult> solver) {
+    Optional<FewAlike> few = FewAlike.of(task);
+    if (few.isPresent()
+        && solver.apply(few.get().task()) instanceof PlanningResult.Found found
+        && !found.plan().searches().isEmpty()
+        && leadsToTheGoal(task, found.plan())) {
+      return few.get().withOthers(found);
+    }
+    return solver.apply(task);
+  }
+
+  /** With few of them a goal for all of them is a smaller one. */
+  private static boolean leadsToTheGoal(PlanningTask task, Plan plan) {
+    return revalidate(Grounder.forSteps(task, plan.steps()), plan.steps()).isPresent();
   }
 
   /** The plan that is cheapest when all is found where it is looked for first. */

@@ -30,8 +30,8 @@ public final class ReplanningPlanner implements Planner {
    */
   private static final int MOST_KEPT = 6;
 
-  /** About 200 MB. */
-  private static final int MOST_INSTANCES = 150_000;
+  /** About 600 MB; the groundwork for a building of a thousand devices takes half of it. */
+  private static final int MOST_INSTANCES = 300_000;
 
   private record Subject(Formula goal, Objective objective) {}
 
@@ -48,6 +48,12 @@ public final class ReplanningPlanner implements Planner {
       List<Subject> oldest = new ArrayList<>(plannings.keySet());
       plannings.keySet().removeAll(oldest.subList(0, Math.max(0, oldest.size() - MOST_KEPT)));
       return planning;
+    }
+
+    /** What goals left behind is too much. */
+    void shed() {
+      work.shed();
+      plannings.clear();
     }
 
     /** Goes over to the task; false when this is of no more use. */
@@ -81,6 +87,10 @@ public final class ReplanningPlanner implements Planner {
 
   @Override
   public PlanningResult solve(PlanningTask task) {
+    return OptimalPlanner.withFewAlike(task, this::solved);
+  }
+
+  private PlanningResult solved(PlanningTask task) {
     Subject subject = new Subject(task.goal(), task.objective());
     Kept used =
         taken(subject, task)
@@ -116,9 +126,15 @@ public final class ReplanningPlanner implements Planner {
     if (!used.work().isWorn()) {
       kept.addFirst(used);
     }
-    while (kept.size() > MOST_KEPT
-        || kept.stream().mapToInt(k -> k.work().size()).sum() > MOST_INSTANCES) {
+    while (kept.size() > MOST_KEPT || kept.size() > 1 && size() > MOST_INSTANCES) {
       kept.removeLast();
     }
+    if (size() > MOST_INSTANCES) {
+      used.shed();
+    }
+  }
+
+  private int size() {
+    return kept.stream().mapToInt(each -> each.work().size()).sum();
   }
 }

@@ -77,4 +77,31 @@ class GroundingBudgetTest {
     assertThat(features).containsExactly("observeObject");
     assertThat(grounded.beyond()).isGreaterThan(2).isFinite();
   }
+
+  /** The one goes from the cup to Bob for 3 in all, the others have to come from further away. */
+  @Test
+  void whoHasToComeFromTooFarAwayIsNotMadeGround() {
+    SmallWorld world = BobsHome.words();
+    for (int zone = 0; zone < 12; zone++) {
+      world.individuals("Zone Place", "z" + zone);
+      if (zone > 0) {
+        world.facts("(adjoins z%d z%d)".formatted(zone - 1, zone));
+        world.facts("(adjoins z%d z%d)".formatted(zone, zone - 1));
+      }
+    }
+    world.individuals("Thing", "Bob").individuals("Thing Item", "Cup");
+    world.facts("(in Bob z6)", "(in Cup z4)", "(= (mass Cup) 0.25)");
+    BobsHome.robot(world, "near", "z3", "1");
+    BobsHome.robot(world, "far", "z11", "1");
+    BobsHome.robot(world, "there", "z6", "1");
+    PlanningTask task = world.task("(nextTo Cup Bob)");
+
+    PlanningResult.Found best = (PlanningResult.Found) planner.plan(task);
+    GroundProblem problem = new Grounder(task).ground(best.plan().cost()).problem();
+
+    assertThat(best.plan().cost()).isCloseTo(3 + 4 + 3, within(1e-9));
+    assertThat(problem.operators())
+        .extracting(operator -> operator.feature().member())
+        .containsOnly("near");
+  }
 }

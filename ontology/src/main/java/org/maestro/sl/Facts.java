@@ -1,6 +1,7 @@
 package org.maestro.sl;
 
 import java.util.Collection;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -58,6 +59,17 @@ public interface Facts {
    */
   default Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
     return Optional.empty();
+  }
+
+  /**
+   * Those of the individuals of which the very same is known, so that what can be done with one of
+   * them can be done with each other in its place.
+   *
+   * @return sets of two at least, in the order of the individuals; none where these facts cannot
+   *     tell
+   */
+  default List<List<Term.Name>> alike(Collection<Term.Name> individuals) {
+    return List.of();
   }
 
   /**

@@ -3,6 +3,7 @@ package org.maestro.knowledge.belief;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import org.maestro.knowledge.api.StateVariable;
+import org.maestro.sl.Term;
 
 /**
  * A trie of what is known of all state variables, in the order in which they were first spoken of.
@@ -88,6 +90,19 @@ public final class Cells {
         visitor.accept(numbers.variables.get(number), cell);
       }
     }
+  }
+
+  /** All of which anything is or was known. */
+  Set<Term> spokenOf() {
+    Set<Term> spokenOf = new HashSet<>();
+    forEach(
+        (variable, cell) -> {
+          spokenOf.addAll(variable.arguments());
+          cell.standing().forEach(claim -> spokenOf.add(claim.value()));
+          cell.overruled().forEach(claim -> spokenOf.add(claim.value()));
+          cell.last().ifPresent(held -> spokenOf.add(held.value()));
+        });
+    return spokenOf;
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,6 +15,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.maestro.knowledge.api.StateVariable;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
@@ -32,6 +34,9 @@ final class Described {
   private final Home home;
   private final Map<String, List<Term.Name>> byClass = new LinkedHashMap<>();
   private final Map<String, Map<Term, Set<Term>>> subjects = new ConcurrentHashMap<>();
+
+  /** All that is the value of a property; null until it is asked for. */
+  private volatile @Nullable Set<Term> values;
 
   Described(Home home) {
     this.home = home;
@@ -129,6 +134,36 @@ final class Described {
       }
     }
     return byValue;
+  }
+
+  /** Those of which the home says the same, and of which it says nothing anywhere else. */
+  List<List<Term.Name>> alike(Collection<Term.Name> individuals) {
+    record Kind(Set<String> classes, Map<String, List<Term>> properties) {}
+    Map<Kind, List<Term.Name>> alike = new LinkedHashMap<>();
+    for (Term.Name name : individuals) {
+      Individual individual = home.individuals().get(name.text());
+      if (individual != null && !values().contains(name)) {
+        Map<String, List<Term>> properties = new LinkedHashMap<>(individual.properties());
+        properties.remove(Individual.ORDER);
+        alike
+            .computeIfAbsent(
+                new Kind(individual.classes(), properties), absent -> new ArrayList<>())
+            .add(name);
+      }
+    }
+    return alike.values().stream().filter(names -> names.size() > 1).map(List::copyOf).toList();
+  }
+
+  private Set<Term> values() {
+    Set<Term> known = values;
+    if (known == null) {
+      known = new HashSet<>();
+      for (Individual individual : home.individuals().values()) {
+        individual.properties().values().forEach(known::addAll);
+      }
+      values = known;
+    }
+    return known;
   }
 
   /** Whether the home says anything of the variable. */

@@ -106,6 +106,14 @@ public final class View implements Snapshot {
   }
 
   @Override
+  public List<List<Term.Name>> alike(Collection<Term.Name> individuals) {
+    Set<Term> spokenOf = world.cells().spokenOf();
+    return world
+        .described()
+        .alike(individuals.stream().filter(name -> !spokenOf.contains(name)).toList());
+  }
+
+  @Override
   public Truth truth(Formula.Atom asked) {
     if (world.described().isOfClass(asked)) {
       return Truth.of(world.described().isInstance(asked.arguments().get(0), asked.predicate()));

@@ -3,6 +3,8 @@ package org.maestro.planning.grounding;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,6 +13,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
@@ -42,8 +45,12 @@ final class FeatureTemplate {
 
   private final PricedFeature feature;
   private final ConditionCompiler conditions;
-  private final Map<String, List<Term>> domains = new LinkedHashMap<>();
+  private final Map<String, Domain> domains = new LinkedHashMap<>();
   private final List<Conjunct> conjuncts = new ArrayList<>();
+
+  /** Those that no domain makes sure of. */
+  private final List<Conjunct> ties = new ArrayList<>();
+
   private final List<Formula> required = new ArrayList<>();
   private final List<EffectTarget> targets;
   private final IdleParameters idle;
@@ -53,6 +60,25 @@ final class FeatureTemplate {
   private @Nullable List<Map<String, Term>> few;
 
   private boolean many;
+
+  /**
+   * An instance that gives a functional predicate a value.
+   *
+   * @param from the value that it has to have before; empty when it is not told
+   * @param to a variable where that is not told by the parameters
+   */
+  record ValueStep(Optional<Term> from, Term to, Map<String, Term> bindings) {}
+
+  /** The values that a parameter may take, as far as they do not depend on other parameters. */
+  private record Domain(List<Term> values, Set<Term> asSet) {
+    Domain(List<Term> values) {
+      this(values, new HashSet<>(values));
+    }
+
+    boolean contains(Term value) {
+      return asSet.contains(value);
+    }
+  }
 
   /**
    * A static part of the precondition.
@@ -94,11 +120,13 @@ final class FeatureTemplate {
     for (List<Parameter> parameters : List.of(feature.type().inputs(), feature.type().binds())) {
       for (Parameter parameter : parameters) {
         if (!parameter.optional() || mentioned.contains(parameter.name())) {
-          domains.put(parameter.name(), domain(parameter, facts));
+          domains.put(parameter.name(), new Domain(domain(parameter, facts)));
         }
       }
     }
     collectStatic(feature.type().precondition(), signature, staticAnswers);
+    domains.replaceAll(this::narrowed);
+    conjuncts.stream().filter(conjunct -> !isOfDomain(conjunct)).forEach(ties::add);
     this.targets = EffectTarget.of(feature.type().effect());
   }
 
@@ -160,45 +188,150 @@ final class FeatureTemplate {
     }
   }
 
+  private boolean isOfDomain(Conjunct conjunct) {
+    return conjunct.variables().size() == 1 && domains.keySet().containsAll(conjunct.variables());
+  }
+
+  /** Each of many members asks for each of many values only once. */
+  private Domain narrowed(String parameter, Domain domain) {
+    List<Conjunct> own =
+        conjuncts.stream().filter(c -> c.variables().equals(Set.of(parameter))).toList();
+    if (own.isEmpty()) {
+      return domain;
+    }
+    Map<String, Term> bindings = selfOnly();
+    List<Term> left = new ArrayList<>();
+    for (Term value : domain.values()) {
+      bindings.put(parameter, value);
+      if (allHold(own, bindings)) {
+        left.add(value);
+      }
+    }
+    return new Domain(List.copyOf(left));
+  }
+
   /**
    * Hands on the bindings under which the effect may change what is named, as far as the static
    * conditions allow.
    *
    * @param arguments those of the predicate or number, without the value of a functional one
    * @param symmetric whether the arguments may be swapped
+   * @param consumer says whether it wants more
    */
   void forEachInstanceChanging(
-      String name, List<Term> arguments, boolean symmetric, Consumer<Map<String, Term>> consumer) {
+      String name, List<Term> arguments, boolean symmetric, Predicate<Map<String, Term>> consumer) {
     for (EffectTarget target : targets) {
       if (target.name().equals(name)) {
-        bindAndEnumerate(target, arguments, consumer);
-        if (symmetric && arguments.size() == 2) {
-          bindAndEnumerate(target, List.of(arguments.get(1), arguments.get(0)), consumer);
+        boolean goesOn =
+            bound(target, arguments).map(one -> forEachInstance(one, consumer)).orElse(true);
+        if (goesOn && symmetric && arguments.size() == 2) {
+          List<Term> swapped = List.of(arguments.get(1), arguments.get(0));
+          goesOn = bound(target, swapped).map(one -> forEachInstance(one, consumer)).orElse(true);
+        }
+        if (!goesOn) {
+          return;
         }
       }
     }
   }
 
-  private void bindAndEnumerate(
-      EffectTarget target, List<Term> arguments, Consumer<Map<String, Term>> consumer) {
-    Map<String, Term> bindings = selfOnly();
-    for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
-      Term pattern = target.arguments().get(i);
-      Term value = arguments.get(i);
-      if (pattern instanceof Term.Variable variable) {
-        Term before = bindings.get(variable.name());
-        List<Term> domain = domains.get(variable.name());
-        if (before != null && !before.equals(value) || domain != null && !domain.contains(value)) {
-          return;
-        }
-        if (domain != null) {
-          bindings.put(variable.name(), value);
-        }
-      } else if (!pattern.equals(value)) {
-        return;
+  /**
+   * Hands on each way in which the effect may give a functional predicate another value.
+   *
+   * @param subject the arguments without the value
+   */
+  void forEachValueStep(String name, List<Term> subject, Consumer<ValueStep> consumer) {
+    for (EffectTarget target : targets) {
+      if (target.name().equals(name) && target.arguments().size() == subject.size() + 1) {
+        bound(target, subject)
+            .ifPresent(
+                partly ->
+                    forEachInstance(
+                        partly,
+                        bindings -> {
+                          Map<String, Term> all = selfOnly();
+                          all.putAll(bindings);
+                          consumer.accept(
+                              new ValueStep(
+                                  patternBefore(name, subject, all).map(one -> value(one, all)),
+                                  value(target.arguments().get(subject.size()), all),
+                                  bindings));
+                          return true;
+                        }));
       }
     }
-    forEachInstance(bindings, consumer);
+  }
+
+  /**
+   * Hands on the bindings under which the effect may end a value of a functional predicate.
+   *
+   * @param subject the arguments without the value
+   */
+  void forEachInstanceEnding(
+      String name, List<Term> subject, Term value, Predicate<Map<String, Term>> consumer) {
+    for (EffectTarget target : targets) {
+      if (target.name().equals(name)) {
+        bound(target, subject)
+            .filter(bindings -> bindBefore(name, subject, value, bindings))
+            .ifPresent(bindings -> forEachInstance(bindings, consumer));
+      }
+    }
+  }
+
+  /** Whether the step can be done where that is the value before it, as far as is told. */
+  private boolean bindBefore(
+      String name, List<Term> subject, Term value, Map<String, Term> bindings) {
+    Optional<Term> pattern = patternBefore(name, subject, bindings);
+    return pattern.isEmpty() || bind(pattern.get(), value, bindings);
+  }
+
+  /** The value that the step itself asks for, a variable perhaps; empty when it asks for none. */
+  private Optional<Term> patternBefore(
+      String name, List<Term> subject, Map<String, Term> bindings) {
+    for (Formula formula : required) {
+      if (formula instanceof Formula.Atom atom
+          && atom.predicate().equals(name)
+          && atom.arguments().size() == subject.size() + 1
+          && atom.arguments().subList(0, subject.size()).stream()
+              .map(argument -> value(argument, bindings))
+              .toList()
+              .equals(subject)) {
+        return Optional.of(atom.arguments().get(subject.size()));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Term value(Term pattern, Map<String, Term> bindings) {
+    return pattern instanceof Term.Variable variable
+        ? bindings.getOrDefault(variable.name(), pattern)
+        : pattern;
+  }
+
+  /** The parameters' values that give the target these arguments; empty when none do. */
+  private Optional<Map<String, Term>> bound(EffectTarget target, List<Term> arguments) {
+    Map<String, Term> bindings = selfOnly();
+    for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
+      if (!bind(target.arguments().get(i), arguments.get(i), bindings)) {
+        return Optional.empty();
+      }
+    }
+    return Optional.of(bindings);
+  }
+
+  private boolean bind(Term pattern, Term value, Map<String, Term> bindings) {
+    if (!(pattern instanceof Term.Variable variable)) {
+      return pattern.equals(value);
+    }
+    Term before = bindings.get(variable.name());
+    Domain domain = domains.get(variable.name());
+    if (before != null && !before.equals(value) || domain != null && !domain.contains(value)) {
+      return false;
+    }
+    if (domain != null) {
+      bindings.put(variable.name(), value);
+    }
+    return true;
   }
 
   private Map<String, Term> selfOnly() {
@@ -220,72 +353,80 @@ final class FeatureTemplate {
     all.putAll(bindings);
     return domains.keySet().equals(bindings.keySet())
         && domains.entrySet().stream()
-            .allMatch(domain -> domain.getValue().contains(bindings.get(domain.getKey())))
-        && conjuncts.stream().allMatch(conjunct -> holds(conjunct, all));
+            .allMatch(
+                domain ->
+                    domain
+                        .getValue()
+                        .contains(Objects.requireNonNull(bindings.get(domain.getKey()))))
+        && ties.stream().allMatch(conjunct -> holds(conjunct, all));
   }
 
-  /** Where nothing is bound but the member the question is always the same, and asked for often. */
-  private void forEachInstance(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+  /**
+   * Where nothing is bound but the member the question is always the same, and asked for often.
+   *
+   * @param consumer says whether it wants more
+   * @return the same
+   */
+  private boolean forEachInstance(
+      Map<String, Term> bindings, Predicate<Map<String, Term>> consumer) {
     if (bindings.size() > 1 || many) {
-      enumerate(bindings, consumer);
-      return;
+      return enumerate(bindings, consumer);
     }
     if (few == null) {
       List<Map<String, Term>> all = new ArrayList<>();
       enumerate(
           bindings,
           instance -> {
-            if (all.size() <= FEW) {
-              all.add(instance);
-            }
+            all.add(instance);
+            return all.size() <= FEW;
           });
       if (all.size() > FEW) {
         many = true;
-        enumerate(bindings, consumer);
-        return;
+        return enumerate(bindings, consumer);
       }
       few = all;
     }
-    few.forEach(consumer);
+    return few.stream().allMatch(consumer);
   }
 
-  private void enumerate(Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+  private boolean enumerate(Map<String, Term> bindings, Predicate<Map<String, Term>> consumer) {
     Set<String> open = new LinkedHashSet<>(domains.keySet());
     open.removeAll(bindings.keySet());
-    for (Conjunct conjunct : conjuncts) {
+    for (Conjunct conjunct : ties) {
       if (Collections.disjoint(conjunct.variables(), open) && !holds(conjunct, bindings)) {
-        return;
+        return true;
       }
     }
-    choose(open, bindings, consumer);
+    return choose(open, bindings, consumer);
   }
 
-  private void choose(
-      Set<String> open, Map<String, Term> bindings, Consumer<Map<String, Term>> consumer) {
+  private boolean choose(
+      Set<String> open, Map<String, Term> bindings, Predicate<Map<String, Term>> consumer) {
     if (open.isEmpty()) {
       Map<String, Term> ordered = new LinkedHashMap<>();
       domains.keySet().forEach(name -> ordered.put(name, bindings.get(name)));
-      consumer.accept(Collections.unmodifiableMap(ordered));
-      return;
+      return consumer.test(Collections.unmodifiableMap(ordered));
     }
     if (open.size() == 1) {
       String last = open.iterator().next();
       Optional<Term> enough = idle.sufficientValue(last, domain(last), bindings);
       if (enough.isPresent()) {
         bindings.put(last, enough.get());
-        choose(Set.of(), bindings, consumer);
+        boolean goesOn = choose(Set.of(), bindings, consumer);
         bindings.remove(last);
-        return;
+        return goesOn;
       }
     }
     Next next = nextOf.computeIfAbsent(open, this::next);
-    for (Term value : values(next, bindings)) {
-      bindings.put(next.parameter(), value);
+    boolean goesOn = true;
+    for (Iterator<Term> values = values(next, bindings).iterator(); goesOn && values.hasNext(); ) {
+      bindings.put(next.parameter(), values.next());
       if (allHold(next.decided(), bindings)) {
-        choose(next.rest(), bindings, consumer);
+        goesOn = choose(next.rest(), bindings, consumer);
       }
     }
     bindings.remove(next.parameter());
+    return goesOn;
   }
 
   /** Those of the domain with which what is required can hold, as far as that is told. */
@@ -305,7 +446,7 @@ final class FeatureTemplate {
   }
 
   private List<Term> domain(String parameter) {
-    return Objects.requireNonNull(domains.get(parameter));
+    return Objects.requireNonNull(domains.get(parameter)).values();
   }
 
   private boolean allHold(List<Conjunct> decided, Map<String, Term> bindings) {
@@ -324,7 +465,7 @@ final class FeatureTemplate {
     return new Next(
         next,
         rest,
-        conjuncts.stream()
+        ties.stream()
             .filter(c -> c.variables().contains(next))
             .filter(c -> Collections.disjoint(c.variables(), rest))
             .toList(),

@@ -25,9 +25,11 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Relevance;
 import org.maestro.planning.problem.StepSentence;
+import org.maestro.planning.problem.Variable;
 import org.maestro.planning.problem.VariableValue;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Term;
 
 /**
  * Grounds a task backwards from its goal: a feature instance is made only when it changes something
@@ -62,13 +64,13 @@ public final class Grounder {
     this.work = work;
     this.usesBarred = usesBarred;
     this.goal = work.goal(task.goal());
-    this.costAhead = new CostAhead(this::settingPrices);
+    this.costAhead = new CostAhead(prices());
     this.barred = task.barred();
   }
 
   /** The groundwork went over to another task for the same goal. */
   public void renew(PlanningTask next) {
-    costAhead = new CostAhead(this::settingPrices);
+    costAhead = new CostAhead(prices());
     barred = next.barred();
   }
 
@@ -141,14 +143,73 @@ public final class Grounder {
         new ChainCosts(
                 this::changing,
                 work::leastCost,
-                Double.isFinite(budget) ? costAhead::of : operator -> 0,
+                Double.isFinite(budget) ? costAhead::of : (operator, left) -> 0,
                 budget)
             .follow(goal.condition());
     consulted.addAll(chains.consulted());
-    Map<Object, List<Operator>> byTarget = byTarget(chains);
-    Relevance relevance = new Relevance(target -> byTarget.getOrDefault(target, List.of()));
+    consulted.addAll(costAhead.consulted());
+    Relevance relevance = new Relevance(GroundProblem.changing(inOrder(chains)));
     relevance.close(goal.condition());
     return new Grounded(GroundProblem.reduced(relevance, goal), chains.beyond());
+  }
+
+  private CostAhead.Source prices() {
+    return new CostAhead.Source() {
+      @Override
+      public Map<Integer, Double> settingPrices(VariableValue aim) {
+        return Grounder.this.settingPrices(aim);
+      }
+
+      @Override
+      public Optional<OwnWays> ownWays(Variable variable) {
+        return Grounder.this.ownWays(variable);
+      }
+
+      @Override
+      public List<Operator> achievers(VariableValue aim) {
+        List<Operator> achievers = new ArrayList<>();
+        changing(aim, Double.POSITIVE_INFINITY, achievers);
+        return achievers;
+      }
+
+      @Override
+      public double leastCost(Operator operator) {
+        return work.leastCost(operator);
+      }
+
+      @Override
+      public int featureOf(Operator operator) {
+        return work.templateOf(operator);
+      }
+    };
+  }
+
+  /** Of what is known now, and is changed by nobody but a member that it names. */
+  private Optional<OwnWays> ownWays(Variable variable) {
+    int first = variable.initialCode();
+    if (!variable.functional() || first < 0) {
+      return Optional.empty();
+    }
+    VariableValue now = new VariableValue(variable, first);
+    List<OwnStep> steps = new ArrayList<>();
+    Set<Integer> features = new HashSet<>();
+    for (int template : work.mayChange(variable)) {
+      PricedFeature feature = work.offers().feature(template);
+      List<OwnStep> own =
+          work.offers().mayBringAbout(feature.type(), now)
+              ? work.ownSteps(variable, template)
+              : List.of();
+      if (!own.isEmpty()) {
+        boolean isOfOther = !variable.arguments().contains(new Term.Name(feature.member()));
+        if (isOfOther || !own.stream().allMatch(step -> step.to().isGround())) {
+          return Optional.empty();
+        }
+        steps.addAll(own);
+        features.add(template);
+      }
+    }
+    return Optional.of(
+        new OwnWays(variable.value(first), work.ownGraph(steps), Set.copyOf(features)));
   }
 
   private Map<Integer, Double> settingPrices(VariableValue aim) {
@@ -174,7 +235,7 @@ public final class Grounder {
     Offers offers = work.offers();
     for (int template : work.mayChange(want)) {
       PricedFeature feature = offers.feature(template);
-      if (want instanceof VariableValue aim && !offers.mayBringAbout(feature.type(), aim)) {
+      if (!offers.mayBringAbout(feature.type(), want)) {
         continue;
       }
       double price = work.leastPrice(feature);
@@ -191,12 +252,12 @@ public final class Grounder {
     return cheapestLeftOut;
   }
 
-  /** By what they change, the features in their order. */
-  private Map<Object, List<Operator>> byTarget(ChainCosts chains) {
+  /** The features in their order. */
+  private List<Operator> inOrder(ChainCosts chains) {
     List<Operator> allowed = new ArrayList<>(chains.allowed());
     allowed.sort(
         Comparator.comparingInt(operator -> work.offers().rank(work.templateOf(operator))));
-    return GroundProblem.byTarget(allowed);
+    return allowed;
   }
 
   private static Operator withWhatIsMissing(

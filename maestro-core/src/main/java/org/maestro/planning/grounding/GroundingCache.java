@@ -11,15 +11,17 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.api.PlanningTask;
 import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.Step;
 import org.maestro.planning.api.StepKey;
+import org.maestro.planning.problem.ChainCosts;
 import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.ConditionCompiler;
+import org.maestro.planning.problem.Departure;
 import org.maestro.planning.problem.EffectCompiler;
 import org.maestro.planning.problem.GroundGoal;
 import org.maestro.planning.problem.LeastPrice;
@@ -28,10 +30,10 @@ import org.maestro.planning.problem.NumberVariable;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.StaticFacts;
-import org.maestro.planning.problem.StepPrice;
 import org.maestro.planning.problem.Variable;
 import org.maestro.planning.problem.VariableValue;
 import org.maestro.planning.problem.Variables;
+import org.maestro.sl.Expression;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -71,6 +73,11 @@ public final class GroundingCache {
   private final IdentityHashMap<Operator, Integer> templateOf = new IdentityHashMap<>();
   private final Map<Integer, Map<Object, List<Operator>>> changing = new HashMap<>();
   private final Map<Integer, Map<VariableValue, OptionalDouble>> settingPrices = new HashMap<>();
+  private final Map<Integer, Map<Variable, List<OwnStep>>> ownSteps = new HashMap<>();
+
+  /** Robots that are alike have the same ways. */
+  private final Map<List<OwnStep>, OwnGraph> ownGraphs = new HashMap<>();
+
   private final ChangeLog changes = new ChangeLog();
   private int generation;
 
@@ -160,16 +167,24 @@ public final class GroundingCache {
     made.remove(template);
     changing.remove(template);
     settingPrices.remove(template);
+    ownSteps.remove(template);
   }
 
   private void forget() {
-    generation++;
     conditions.forget();
     preconditions.forget();
     effects.forget();
     staticAnswers.clear();
     templates.clear();
     leastPrices.clear();
+    ownSteps.clear();
+    ownGraphs.clear();
+    shed();
+  }
+
+  /** Forgets all instances; what they were made of is kept. */
+  public void shed() {
+    generation++;
     alike.clear();
     made.clear();
     templateOf.clear();
@@ -220,11 +235,11 @@ public final class GroundingCache {
 
   /** What the operator costs at least, in any state. */
   double leastCost(Operator operator) {
-    return leastCost(operator.price(), operator.feature());
+    return leastCost(operator.price().cost(), operator.feature());
   }
 
-  private double leastCost(StepPrice price, PricedFeature feature) {
-    return price.cost() instanceof NumberExpression.Constant constant
+  private double leastCost(NumberExpression cost, PricedFeature feature) {
+    return cost instanceof NumberExpression.Constant constant
         ? constant.number()
         : leastPrice(feature);
   }
@@ -243,15 +258,52 @@ public final class GroundingCache {
 
   private OptionalDouble leastSettingPrice(VariableValue aim, int template) {
     PricedFeature feature = offers.feature(template);
+    boolean differ =
+        !feature.exact().isEmpty() || !isConstant(FeatureTemplate.statedPrice(feature));
     double[] least = {Double.NaN};
     forEachInstance(
         template,
         aim,
         bindings -> {
-          double price = leastCost(factory.price(feature, bindings), feature);
+          double price = leastCost(factory.cost(feature, bindings), feature);
           least[0] = Double.isNaN(least[0]) ? price : Math.min(least[0], price);
+          return differ;
         });
     return Double.isNaN(least[0]) ? OptionalDouble.empty() : OptionalDouble.of(least[0]);
+  }
+
+  private static boolean isConstant(Expression price) {
+    return price instanceof Expression.OfTerm of
+        ? of.term() instanceof Term.Number
+        : price instanceof Expression.Arithmetic arithmetic
+            && arithmetic.operands().stream().allMatch(GroundingCache::isConstant);
+  }
+
+  /** The steps of one feature that give a functional variable another value. */
+  List<OwnStep> ownSteps(Variable variable, int template) {
+    return ownSteps
+        .computeIfAbsent(template, absent -> new HashMap<>())
+        .computeIfAbsent(variable, absent -> ownStepsAnew(variable, template));
+  }
+
+  OwnGraph ownGraph(List<OwnStep> steps) {
+    return ownGraphs.computeIfAbsent(List.copyOf(steps), OwnGraph::new);
+  }
+
+  private List<OwnStep> ownStepsAnew(Variable variable, int template) {
+    PricedFeature feature = offers.feature(template);
+    List<OwnStep> steps = new ArrayList<>();
+    template(template)
+        .forEachValueStep(
+            variable.predicate(),
+            variable.arguments(),
+            step ->
+                steps.add(
+                    new OwnStep(
+                        step.from(),
+                        step.to(),
+                        leastCost(factory.cost(feature, step.bindings()), feature))));
+    return List.copyOf(steps);
   }
 
   /** The operators of one feature that bring about or change what is wanted. */
@@ -264,10 +316,12 @@ public final class GroundingCache {
       forEachInstance(
           template,
           want,
-          bindings ->
-              made(template, bindings).stream()
-                  .filter(operator -> changes(operator, want))
-                  .forEach(found::add));
+          bindings -> {
+            made(template, bindings).stream()
+                .filter(operator -> changes(operator, want))
+                .forEach(found::add);
+            return true;
+          });
       known = List.copyOf(found);
       byWant.put(want, known);
     }
@@ -275,6 +329,9 @@ public final class GroundingCache {
   }
 
   private static boolean changes(Operator operator, Object want) {
+    if (want instanceof Departure departure) {
+      return departure.isBroughtAboutBy(operator);
+    }
     List<Change> changes = operator.changes();
     for (int i = 0; i < changes.size(); i++) {
       if (want instanceof VariableValue aim
@@ -338,7 +395,17 @@ public final class GroundingCache {
   }
 
   /** The instances that may bring about or change what is wanted. */
-  private void forEachInstance(int template, Object want, Consumer<Map<String, Term>> consumer) {
+  private void forEachInstance(int template, Object want, Predicate<Map<String, Term>> consumer) {
+    if (want instanceof Departure departure && departure.variable().functional()) {
+      Variable variable = departure.variable();
+      template(template)
+          .forEachInstanceEnding(
+              variable.predicate(),
+              variable.arguments(),
+              variable.value(departure.value()),
+              consumer);
+      return;
+    }
     String name = name(want);
     template(template).forEachInstanceChanging(name, arguments(want), isSymmetric(name), consumer);
   }
@@ -350,7 +417,7 @@ public final class GroundingCache {
 
   /** The arguments of what is wanted, with the value if that is wanted. */
   private static List<Term> arguments(Object want) {
-    Object target = target(want);
+    Object target = ChainCosts.target(want);
     if (!(target instanceof Variable variable)) {
       return ((NumberVariable) target).fluent().arguments();
     }
@@ -362,13 +429,9 @@ public final class GroundingCache {
     return arguments;
   }
 
-  private static Object target(Object want) {
-    return want instanceof VariableValue aim ? aim.variable() : want;
-  }
-
   /** The predicate or fluent of a want. */
   static String name(Object want) {
-    Object target = target(want);
+    Object target = ChainCosts.target(want);
     return target instanceof Variable variable
         ? variable.predicate()
         : ((NumberVariable) target).fluent().name();

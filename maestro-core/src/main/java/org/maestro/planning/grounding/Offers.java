@@ -17,7 +17,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.planning.api.PricedFeature;
+import org.maestro.planning.problem.ChainCosts;
+import org.maestro.planning.problem.Departure;
 import org.maestro.planning.problem.Signature;
+import org.maestro.planning.problem.Variable;
 import org.maestro.planning.problem.VariableValue;
 import org.maestro.sl.EffectTarget;
 import org.maestro.sl.FreeVariables;
@@ -31,6 +34,7 @@ final class Offers {
   private final List<PricedFeature> features = new ArrayList<>();
   private final List<Integer> families = new ArrayList<>();
   private final IdentityHashMap<FeatureType, Set<String>> addedBy = new IdentityHashMap<>();
+  private final IdentityHashMap<FeatureType, Set<String>> sensedBy = new IdentityHashMap<>();
   private final Predicate<String> isSymmetric;
   private final Map<String, Changing> changing = new HashMap<>();
   private final Map<Integer, Integer> ranks = new HashMap<>();
@@ -204,12 +208,28 @@ final class Offers {
     return numbers;
   }
 
-  /** Only what is not known can be found. */
-  boolean mayBringAbout(FeatureType type, VariableValue aim) {
-    return aim.isFindable()
-        || removed.contains(aim.variable().predicate())
-        || addedBy
-            .computeIfAbsent(type, absent -> Signature.addedBy(type.effect()))
-            .contains(aim.variable().predicate());
+  /** Whether a feature of the type may do it: only what is not known can be found. */
+  boolean mayBringAbout(FeatureType type, Object want) {
+    String predicate =
+        ChainCosts.target(want) instanceof Variable variable ? variable.predicate() : "";
+    boolean mayBeUnknown = removed.contains(predicate);
+    if (want instanceof Departure) {
+      return mayBeUnknown || mayAdd(type, predicate);
+    }
+    return !(want instanceof VariableValue aim)
+        || mayAdd(type, predicate)
+        || (aim.isFindable() || mayBeUnknown) && maySense(type, predicate);
+  }
+
+  private boolean mayAdd(FeatureType type, String predicate) {
+    return addedBy
+        .computeIfAbsent(type, absent -> Signature.addedBy(type.effect()))
+        .contains(predicate);
+  }
+
+  private boolean maySense(FeatureType type, String predicate) {
+    return sensedBy
+        .computeIfAbsent(type, absent -> Signature.sensedBy(type.effect()))
+        .contains(predicate);
   }
 }

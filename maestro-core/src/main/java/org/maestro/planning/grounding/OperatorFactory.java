@@ -51,18 +51,20 @@ final class OperatorFactory {
 
   /** The same step of a feature that differs in prices which the member itself has given. */
   List<Operator> repriced(Operator operator, PricedFeature feature) {
-    StepPrice price = price(feature, operator.bindings());
+    StepPrice price = price(feature, operator.bindings(), withSelf(feature, operator.bindings()));
     return isPossible(price) ? List.of(operator.offered(feature, price)) : List.of();
   }
 
-  /** What an instance costs, whether it can be done or not. */
-  StepPrice price(PricedFeature feature, Map<String, Term> parameters) {
-    return price(feature, parameters, withSelf(feature, parameters));
+  /** What an instance costs, whether it can be done or not; how long it takes is not asked for. */
+  NumberExpression cost(PricedFeature feature, Map<String, Term> parameters) {
+    ExactPrice exact = feature.exact().get(parameters);
+    return exact == null
+        ? conditions.number(FeatureTemplate.statedPrice(feature), withSelf(feature, parameters))
+        : new NumberExpression.Constant(exact.cost());
   }
 
   private static Map<String, Term> withSelf(PricedFeature feature, Map<String, Term> parameters) {
-    Map<String, Term> bindings = Self.is(feature.member(), parameters);
-    return bindings;
+    return Self.is(feature.member(), parameters);
   }
 
   private StepPrice price(

@@ -3,6 +3,7 @@ package org.maestro.planning.problem;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -24,13 +25,23 @@ public final class ChainCosts {
   /** Makes the operators that change a variable. */
   public interface Source {
     /**
-     * All operators that bring an {@link VariableValue} about, or change a {@link Variable} or
-     * {@link NumberVariable}, as far as they cost no more than is left.
+     * All operators that bring an {@link VariableValue} or a {@link Departure} about, or change a
+     * {@link Variable} or {@link NumberVariable}, as far as they cost no more than is left.
      *
      * @return the least cost of those that were left out because they cost more, infinite when
      *     there are none
      */
     double changing(Object want, double left, List<Operator> into);
+  }
+
+  /** Knows what has to be paid at least for other steps before an operator can be used. */
+  public interface CostAhead {
+    /**
+     * What has to be paid; more than what is left need not be reckoned exactly.
+     *
+     * @param left of the budget
+     */
+    double of(Operator operator, double left);
   }
 
   /** A want whose turn comes when all chains that cost less have been followed. */
@@ -42,11 +53,16 @@ public final class ChainCosts {
     }
   }
 
-  private record Touch(Operator operator, Change change) {}
+  /**
+   * A change of an operator that is allowed.
+   *
+   * @param part of the operator's changes, in which it stands
+   */
+  private record Touch(List<Change> part, Change change) {}
 
   private final Source source;
   private final ToDoubleFunction<Operator> leastCost;
-  private final ToDoubleFunction<Operator> costAhead;
+  private final CostAhead costAhead;
   private final double budget;
   private final Map<Object, Double> needed = new HashMap<>();
   private final Set<Object> active = new HashSet<>();
@@ -54,6 +70,10 @@ public final class ChainCosts {
   private final Map<Object, Set<Object>> dormant = new HashMap<>();
   private final Map<Operator, Double> chains = new LinkedHashMap<>();
   private final Map<Object, List<Touch>> touching = new HashMap<>();
+
+  /** The least cost of a chain to an operator that has the part. */
+  private final IdentityHashMap<List<Change>, Double> parts = new IdentityHashMap<>();
+
   private final Set<Object> lookedAt = new HashSet<>();
   private final PriorityQueue<Turn> queue = new PriorityQueue<>();
   private double beyond = Double.POSITIVE_INFINITY;
@@ -61,14 +81,10 @@ public final class ChainCosts {
 
   /**
    * @param leastCost of an operator in any state
-   * @param costAhead what has to be paid at least for other steps before an operator can be used
    * @param budget in cost units; may be infinite
    */
   public ChainCosts(
-      Source source,
-      ToDoubleFunction<Operator> leastCost,
-      ToDoubleFunction<Operator> costAhead,
-      double budget) {
+      Source source, ToDoubleFunction<Operator> leastCost, CostAhead costAhead, double budget) {
     this.source = source;
     this.leastCost = leastCost;
     this.costAhead = costAhead;
@@ -92,7 +108,11 @@ public final class ChainCosts {
     return this;
   }
 
-  private static Object target(Object want) {
+  /** The variable of which something is wanted. */
+  public static Object target(Object want) {
+    if (want instanceof Departure departure) {
+      return departure.variable();
+    }
     return want instanceof VariableValue aim ? aim.variable() : want;
   }
 
@@ -143,7 +163,7 @@ public final class ChainCosts {
     if (before != null && before <= cost) {
       return;
     }
-    double whole = before == null ? cost + costAhead.applyAsDouble(operator) : cost;
+    double whole = before == null ? cost + costAhead.of(operator, budget - cost) : cost;
     if (whole > budget) {
       beyond = Math.min(beyond, whole);
       operator.precondition().forEachLeaf(this::lookAt);
@@ -153,21 +173,27 @@ public final class ChainCosts {
     need(operator.precondition(), cost);
     operator.price().cost().forEachVariable(variable -> activate(variable, cost));
     operator.price().seconds().forEachVariable(variable -> activate(variable, cost));
-    for (Change change : operator.changes()) {
-      Object target = change.target();
-      if (before == null) {
-        touching
-            .computeIfAbsent(target, absent -> new ArrayList<>())
-            .add(new Touch(operator, change));
+    for (List<Change> part : operator.parts()) {
+      Double least = parts.get(part);
+      if (least == null || cost < least) {
+        parts.put(part, cost);
+        part.forEach(change -> touch(change, part, least == null, cost));
       }
-      if (watched.contains(target)) {
-        needAllOf(change, cost);
-      }
-      for (Object want : dormant.getOrDefault(target, Set.of())) {
-        activate(want, leastCostOf(want));
-      }
-      dormant.remove(target);
     }
+  }
+
+  private void touch(Change change, List<Change> part, boolean first, double cost) {
+    Object target = change.target();
+    if (first) {
+      touching.computeIfAbsent(target, absent -> new ArrayList<>()).add(new Touch(part, change));
+    }
+    if (watched.contains(target)) {
+      needAllOf(change, cost);
+    }
+    for (Object want : dormant.getOrDefault(target, Set.of())) {
+      activate(want, leastCostOf(want));
+    }
+    dormant.remove(target);
   }
 
   private void needAllOf(Change change, double cost) {
@@ -198,12 +224,13 @@ public final class ChainCosts {
   private void needLeaf(Condition leaf, double cost) {
     if (leaf instanceof Condition.Literal literal) {
       Variable variable = literal.variable();
-      need(
-          literal.question() == Condition.Question.IS
-              ? new VariableValue(variable, literal.value())
-              : variable,
-          literal.holdsFor(variable.initialCode()),
-          cost);
+      Object want =
+          switch (literal.question()) {
+            case IS -> new VariableValue(variable, literal.value());
+            case IS_NOT -> new Departure(variable, literal.value());
+            case UNKNOWN, NOT_UNKNOWN -> variable;
+          };
+      need(want, literal.holdsFor(variable.initialCode()), cost);
     } else if (leaf instanceof Condition.NumberKnown known) {
       need(known.variable(), Quantity.isUnknown(known.variable().initial()) != known.known(), cost);
     } else if (leaf instanceof Condition.Compare compare) {
@@ -231,7 +258,7 @@ public final class ChainCosts {
     }
     if (watched.add(target(want))) {
       for (Touch touch : touching.getOrDefault(target(want), List.of())) {
-        needAllOf(touch.change(), Objects.requireNonNull(chains.get(touch.operator())));
+        needAllOf(touch.change(), Objects.requireNonNull(parts.get(touch.part())));
       }
     }
   }

@@ -32,9 +32,7 @@ public final class EffectCompiler {
     if (!(effect instanceof Effect.All all)) {
       return ofPart(effect, bindings);
     }
-    List<Change> changes = new ArrayList<>();
-    all.effects().forEach(part -> changes.addAll(ofPart(part, bindings)));
-    return List.copyOf(changes);
+    return JoinedChanges.of(all.effects().stream().map(part -> ofPart(part, bindings)).toList());
   }
 
   private List<Change> ofPart(Effect effect, Map<String, Term> bindings) {

@@ -2,9 +2,12 @@ package org.maestro.planning.problem;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -24,17 +27,24 @@ public record GroundProblem(
    */
   public static GroundProblem reduced(Relevance relevance, GroundGoal goal) {
     List<Operator> operators = new ArrayList<>();
+    IdentityHashMap<List<Change>, List<Change>> keptOf = new IdentityHashMap<>();
     for (Operator operator : relevance.operators()) {
-      List<Change> kept =
-          operator.changes().stream()
-              .filter(change -> relevance.variables().contains(change.target()))
-              .toList();
+      List<Change> kept = new ArrayList<>();
+      for (List<Change> part : operator.parts()) {
+        kept.addAll(keptOf.computeIfAbsent(part, changes -> kept(changes, relevance)));
+      }
       if (!kept.isEmpty()) {
         Condition precondition = relevance.simplified(operator.precondition());
         operators.add(operator.withChanges(kept).withPrecondition(precondition));
       }
     }
     return over(relevance, operators, goal.simplified(relevance));
+  }
+
+  private static List<Change> kept(List<Change> changes, Relevance relevance) {
+    return changes.stream()
+        .filter(change -> relevance.variables().contains(change.target()))
+        .toList();
   }
 
   /** All operators as they are. */
@@ -78,18 +88,17 @@ public record GroundProblem(
 
   /** The same goal with some of the operators, reduced again. */
   public GroundProblem with(List<Operator> remaining) {
-    Map<Object, List<Operator>> byTarget = byTarget(remaining);
-    Relevance relevance =
-        new Relevance(target -> (Collection<Operator>) byTarget.getOrDefault(target, List.of()));
+    Relevance relevance = new Relevance(changing(remaining));
     relevance.close(goal.condition());
     return reduced(relevance, goal);
   }
 
   /** What a plan costs at least that uses an operator, for those within the budget. */
   public ChainCosts chains(ToDoubleFunction<Operator> leastCost, double budget) {
-    Map<Object, List<Operator>> byWant = byTarget(operators);
+    Map<Object, List<Operator>> byWant = new HashMap<>();
     for (Operator operator : operators) {
       for (Change change : operator.changes()) {
+        add(operator, change.target(), byWant);
         if (change instanceof Change.OfVariable of && !(change instanceof Change.Remove)) {
           add(operator, new VariableValue(of.variable(), of.value()), byWant);
         }
@@ -97,20 +106,46 @@ public record GroundProblem(
     }
     ChainCosts.Source source =
         (want, left, into) -> {
-          into.addAll(byWant.getOrDefault(want, List.of()));
+          if (want instanceof Departure departure) {
+            byWant.getOrDefault(departure.variable(), List.of()).stream()
+                .filter(departure::isBroughtAboutBy)
+                .forEach(into::add);
+          } else {
+            into.addAll(byWant.getOrDefault(want, List.of()));
+          }
           return Double.POSITIVE_INFINITY;
         };
-    return new ChainCosts(source, leastCost, operator -> 0, budget).follow(goal.condition());
+    return new ChainCosts(source, leastCost, (operator, left) -> 0, budget)
+        .follow(goal.condition());
   }
 
-  public static Map<Object, List<Operator>> byTarget(List<Operator> operators) {
-    Map<Object, List<Operator>> byTarget = new LinkedHashMap<>();
-    for (Operator operator : operators) {
-      for (Change change : operator.changes()) {
-        add(operator, change.target(), byTarget);
+  /**
+   * The operators by what they change.
+   *
+   * @return gives those that change a variable, in their order
+   */
+  public static Function<Object, Collection<Operator>> changing(List<Operator> operators) {
+    Map<Object, List<List<Change>>> partsOf = new HashMap<>();
+    IdentityHashMap<List<Change>, List<Integer>> having = new IdentityHashMap<>();
+    for (int i = 0; i < operators.size(); i++) {
+      for (List<Change> part : operators.get(i).parts()) {
+        if (!having.containsKey(part)) {
+          part.stream()
+              .map(Change::target)
+              .distinct()
+              .forEach(
+                  target -> partsOf.computeIfAbsent(target, absent -> new ArrayList<>()).add(part));
+        }
+        having.computeIfAbsent(part, absent -> new ArrayList<>()).add(i);
       }
     }
-    return byTarget;
+    return target ->
+        partsOf.getOrDefault(target, List.of()).stream()
+            .flatMap(part -> Objects.requireNonNull(having.get(part)).stream())
+            .sorted()
+            .distinct()
+            .map(operators::get)
+            .toList();
   }
 
   private static void add(Operator operator, Object want, Map<Object, List<Operator>> byWant) {

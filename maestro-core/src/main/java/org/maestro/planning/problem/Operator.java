@@ -22,6 +22,11 @@ public record Operator(
     return new StepKey(feature.member(), feature.type().name(), bindings);
   }
 
+  /** The changes in parts, some of which are the very same objects in other operators. */
+  List<List<Change>> parts() {
+    return JoinedChanges.parts(changes);
+  }
+
   public Operator withChanges(List<Change> kept) {
     return new Operator(feature, bindings, precondition, List.copyOf(kept), price);
   }

@@ -3,7 +3,9 @@ package org.maestro.planning.problem;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -23,6 +25,7 @@ public final class Relevance {
   private final Set<Operator> operators = new LinkedHashSet<>();
   private final Map<Object, List<Change>> touched = new LinkedHashMap<>();
   private final Set<Object> dormant = new LinkedHashSet<>();
+  private final Set<List<Change>> parts = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Deque<Object> open = new ArrayDeque<>();
 
   /**
@@ -98,14 +101,20 @@ public final class Relevance {
     need(operator.precondition());
     operator.price().cost().forEachVariable(this::activate);
     operator.price().seconds().forEachVariable(this::activate);
-    for (Change change : operator.changes()) {
-      Object target = change.target();
-      touched.computeIfAbsent(target, absent -> new ArrayList<>()).add(change);
-      if (relevant.contains(target)) {
-        needAllOf(change);
-      } else if (dormant.contains(target)) {
-        activate(target);
+    for (List<Change> part : operator.parts()) {
+      if (parts.add(part)) {
+        part.forEach(this::touch);
       }
+    }
+  }
+
+  private void touch(Change change) {
+    Object target = change.target();
+    touched.computeIfAbsent(target, absent -> new ArrayList<>()).add(change);
+    if (relevant.contains(target)) {
+      needAllOf(change);
+    } else if (dormant.contains(target)) {
+      activate(target);
     }
   }
 

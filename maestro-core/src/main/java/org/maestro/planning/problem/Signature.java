@@ -77,6 +77,19 @@ public final class Signature {
     return names;
   }
 
+  /** Predicates that the effect finds out. */
+  public static Set<String> sensedBy(Effect effect) {
+    Set<String> names = new LinkedHashSet<>();
+    forEachPart(
+        effect,
+        part -> {
+          if (part instanceof Effect.SenseAtom sense) {
+            names.add(sense.atom().predicate());
+          }
+        });
+    return names;
+  }
+
   /** Predicates that the effect makes untrue, so that they may have to be found out again. */
   public static Set<String> removedBy(Effect effect) {
     Set<String> names = new LinkedHashSet<>();

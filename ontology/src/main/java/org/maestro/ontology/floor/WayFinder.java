@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.PriorityQueue;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.IntStream;
 
@@ -26,7 +28,7 @@ public final class WayFinder {
   private static final int MOST_STARTS = 256;
 
   private final FloorPlan plan;
-  private final List<Point2> turns = new ArrayList<>();
+  private final List<Point2> turns;
   private final AtomicReferenceArray<int[]> seen;
   private final Map<Point2, WaysFrom> latest = new LinkedHashMap<>();
 
@@ -37,23 +39,22 @@ public final class WayFinder {
    */
   public WayFinder(FloorPlan plan, List<Polygon> solid, List<Segment> openings) {
     this.plan = plan;
-    for (Segment opening : openings) {
-      turns.add(opening.middle());
-    }
-    for (Polygon outline : solid) {
-      for (Point2 corner : outline.corners()) {
-        around(corner);
-      }
-    }
+    // Outlines that stand side by side have corners in common.
+    Set<Point2> each = new LinkedHashSet<>();
+    openings.forEach(opening -> each.add(opening.middle()));
+    solid.forEach(outline -> outline.corners().forEach(corner -> each.addAll(around(corner))));
+    this.turns = List.copyOf(each);
     this.seen = new AtomicReferenceArray<>(turns.size());
   }
 
   /** Points beside a corner where one could turn. */
-  private void around(Point2 corner) {
+  private static List<Point2> around(Point2 corner) {
+    List<Point2> around = new ArrayList<>();
     for (int i = 0; i < DIRECTIONS; i++) {
       double angle = (2 * i + 1) * Math.PI / DIRECTIONS;
-      turns.add(corner.plus(CLEARANCE * Math.cos(angle), CLEARANCE * Math.sin(angle)));
+      around.add(corner.plus(CLEARANCE * Math.cos(angle), CLEARANCE * Math.sin(angle)));
     }
+    return around;
   }
 
   /** Metres; empty when there is no way. */
@@ -92,17 +93,16 @@ public final class WayFinder {
   }
 
   /**
-   * The shortest ways from one start to the turns around it, known as far as was asked: what leads
-   * to one place is the beginning of what leads to others.
+   * The ways from one start to the turns around it, as far as they were followed: what leads to one
+   * place is the beginning of what leads to others. They are followed towards the place that is
+   * asked for (A* by Hart, Nilsson and Raphael, 1968).
    */
   private final class WaysFrom {
+    /** The shortest way to each turn that is known by now; infinite where there is none. */
     private final double[] lengths = new double[turns.size()];
-    private final PriorityQueue<Reached> open =
-        new PriorityQueue<>(
-            Comparator.comparingDouble(Reached::length).thenComparingInt(Reached::turn));
 
-    /** The turns whose shortest way is known, nearest first. */
-    private final List<Reached> done = new ArrayList<>();
+    /** As long as a turn's way was when it was followed on from there. */
+    private final double[] followed = new double[turns.size()];
 
     private final Point2 start;
     private boolean begun;
@@ -113,55 +113,62 @@ public final class WayFinder {
 
     synchronized OptionalDouble length(Point2 to) {
       begin();
-      double shortest = Double.POSITIVE_INFINITY;
-      for (Reached turn : done) {
-        if (turn.length() >= shortest) {
-          break;
+      PriorityQueue<Reached> towards =
+          new PriorityQueue<>(
+              Comparator.comparingDouble(Reached::whole).thenComparingInt(Reached::turn));
+      for (int turn = 0; turn < lengths.length; turn++) {
+        if (Double.isFinite(lengths[turn])) {
+          towards.add(reached(turn, to));
         }
-        shortest = Math.min(shortest, over(turn, to, shortest));
       }
-      while (!open.isEmpty() && open.element().length() < shortest) {
-        Reached next = open.remove();
-        if (next.length() == lengths[next.turn()]) {
-          goOnFrom(next);
-          shortest = Math.min(shortest, over(next, to, shortest));
+      double shortest = Double.POSITIVE_INFINITY;
+      while (!towards.isEmpty() && towards.element().whole() < shortest) {
+        Reached next = towards.remove();
+        if (next.length() > lengths[next.turn()]) {
+          continue;
+        }
+        if (!plan.isBlocked(turns.get(next.turn()), to)) {
+          shortest = next.whole();
+        } else if (next.length() < followed[next.turn()]) {
+          goOnFrom(next, to, towards);
         }
       }
       return Double.isFinite(shortest) ? OptionalDouble.of(shortest) : OptionalDouble.empty();
     }
 
+    private Reached reached(int turn, Point2 to) {
+      return new Reached(turn, lengths[turn], lengths[turn] + turns.get(turn).distance(to));
+    }
+
     private void begin() {
       if (!begun) {
         Arrays.fill(lengths, Double.POSITIVE_INFINITY);
+        Arrays.fill(followed, Double.POSITIVE_INFINITY);
         for (int turn : seenFrom(start)) {
-          reach(turn, start.distance(turns.get(turn)));
+          lengths[turn] = start.distance(turns.get(turn));
         }
         begun = true;
       }
     }
 
-    private void reach(int turn, double length) {
-      if (length < lengths[turn]) {
-        lengths[turn] = length;
-        open.add(new Reached(turn, length));
-      }
-    }
-
-    private double over(Reached turn, Point2 to, double shortest) {
-      Point2 point = turns.get(turn.turn());
-      double length = turn.length() + point.distance(to);
-      return length < shortest && !plan.isBlocked(point, to) ? length : Double.POSITIVE_INFINITY;
-    }
-
-    private void goOnFrom(Reached reached) {
-      done.add(reached);
+    private void goOnFrom(Reached reached, Point2 to, PriorityQueue<Reached> towards) {
+      followed[reached.turn()] = reached.length();
       Point2 point = turns.get(reached.turn());
       for (int other : seenFromTurn(reached.turn())) {
-        reach(other, reached.length() + point.distance(turns.get(other)));
+        double length = reached.length() + point.distance(turns.get(other));
+        if (length < lengths[other]) {
+          lengths[other] = length;
+          towards.add(reached(other, to));
+        }
       }
     }
   }
 
-  /** A turn, and the length of a way to it; metres. */
-  private record Reached(int turn, double length) {}
+  /**
+   * A turn, metres.
+   *
+   * @param length of a way to it
+   * @param whole of the way if it went on straight
+   */
+  private record Reached(int turn, double length, double whole) {}
 }

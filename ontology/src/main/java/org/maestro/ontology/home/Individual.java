@@ -24,6 +24,9 @@ public record Individual(
     String label,
     Set<String> classes,
     Map<String, List<Term>> properties) {
+  /** The property that tells the place in stable orders; it says nothing of the thing itself. */
+  public static final String ORDER = "order";
+
   public Individual {
     // In a stable order, and looked up by their hashes: words are held against many thousands.
     classes = Collections.unmodifiableSet(new LinkedHashSet<>(new TreeSet<>(classes)));
@@ -35,7 +38,7 @@ public record Individual(
    * when not stated.
    */
   public double order() {
-    return values("order").stream()
+    return values(ORDER).stream()
         .filter(Term.Number.class::isInstance)
         .mapToDouble(term -> ((Term.Number) term).value())
         .findFirst()

@@ -1,8 +1,11 @@
 package org.maestro.random;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 /**
  * A building of many rooms on several floors, with about so many devices: in each room two lamps, a
@@ -36,6 +39,8 @@ public final class Building {
           @base <https://w3id.org/maestro/home/building> .
           @prefix scene: <https://w3id.org/maestro/scene#> .
           """);
+  private final Map<String, Integer> robotRooms = new LinkedHashMap<>();
+  private final Map<String, Integer> thingRooms = new LinkedHashMap<>();
   private int devices;
 
   /**
@@ -89,6 +94,16 @@ public final class Building {
   /** In Turtle: the truth. */
   public String sceneText() {
     return scene.toString();
+  }
+
+  /** The room's number in which each robot is at first. */
+  public Map<String, Integer> robotRooms() {
+    return Collections.unmodifiableMap(robotRooms);
+  }
+
+  /** The room's number in which each person and each thing is at first. */
+  public Map<String, Integer> thingRooms() {
+    return Collections.unmodifiableMap(thingRooms);
   }
 
   /** An opening between two rooms, in the wall between them. */
@@ -176,6 +191,7 @@ public final class Building {
     add(scene, "<#z%d> scene:ambientLux %.0f .\n", room, chance.happens(0.5) ? 110.0 : 17.0);
     if (room % ROOMS_PER_ROBOT == 0) {
       devices++;
+      robotRooms.put("robot-" + room, room);
       add(
           home,
           """
@@ -215,6 +231,7 @@ public final class Building {
 
   private void addPerson(int number) {
     int room = chance.whole(0, rooms - 1);
+    thingRooms.put("Person" + number, room);
     add(home, "home:Person%d a :Person ; :colour \"blue\" ; :size \"0.5 0.5 1.2\" .\n", number);
     add(
         scene,
@@ -226,6 +243,7 @@ public final class Building {
 
   private void addThing(int number) {
     int room = chance.whole(0, rooms - 1);
+    thingRooms.put("Thing" + number, room);
     add(
         home,
         "home:Thing%d a :Item ; :colour \"red\" ; :size \"0.08 0.08 0.1\" ; :mass 0.25 .\n",

@@ -10,6 +10,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.maestro.bench.BenchReport;
 import org.maestro.bench.TemporaryDirectory;
 import org.maestro.ontology.home.Home;
@@ -18,9 +19,9 @@ import org.maestro.random.Building;
 
 /**
  * Buildings from a household's size to that of an office tower: how long their homes take to load,
- * and how long a person waits for a plan in them of whom nobody knows where things are, with a cold
- * start and the loading included. A kind of goal that takes longer than a minute is not tried in
- * larger buildings.
+ * how long a person waits for a plan in them when nobody knows where things are, with a cold start
+ * and the loading included, and how long a running platform takes to decide. A kind of goal that
+ * takes longer than a minute is not tried in larger buildings.
  */
 public final class BuildingBench {
   /** As many devices, about. */
@@ -31,6 +32,9 @@ public final class BuildingBench {
   private static final int WARM_LOADS = 3;
   private static final long SEED = 1;
 
+  /** Different ones of each kind. */
+  private static final int GOALS = 12;
+
   private final List<Integer> devices;
   private final Consumer<String> progress;
   private final List<BenchReport.Row> rows = new ArrayList<>();
@@ -40,20 +44,22 @@ public final class BuildingBench {
   private enum Wish {
     FETCH("a thing fetched for somebody") {
       @Override
-      String goal(Building building) {
-        return "(nextTo Thing0 Person0)";
+      String goal(Building building, int number) {
+        return "(nextTo Thing%d Person%d)"
+            .formatted(number % building.things(), number % building.persons());
       }
     },
     LIGHT("a room lit") {
       @Override
-      String goal(Building building) {
-        return "(>= (illuminance z%d) 300)".formatted(building.rooms() / 2);
+      String goal(Building building, int number) {
+        return "(>= (illuminance z%d) 200)"
+            .formatted((building.rooms() / 2 + number) % building.rooms());
       }
     },
     LOOK("a thing in view") {
       @Override
-      String goal(Building building) {
-        return "(canSee ?agent Thing1)";
+      String goal(Building building, int number) {
+        return "(canSee ?agent Thing%d)".formatted((1 + number) % building.things());
       }
     };
 
@@ -63,7 +69,7 @@ public final class BuildingBench {
       this.words = words;
     }
 
-    abstract String goal(Building building);
+    abstract String goal(Building building, int number);
   }
 
   /**
@@ -88,6 +94,7 @@ public final class BuildingBench {
             plan(building, home, wish);
           }
         }
+        decide(building);
       }
     }
     return new BenchReport("building", BenchReport.thisMachine(), rows);
@@ -108,13 +115,32 @@ public final class BuildingBench {
   }
 
   private void plan(Building building, Path home, Wish wish) {
-    ColdPlan plan = ColdPlan.of(home, wish.goal(building), PATIENCE);
+    ColdPlan plan = ColdPlan.of(home, wish.goal(building, 0), PATIENCE);
     String name = "%d devices: %s".formatted(building.devices(), wish.words);
     rows.add(
         BenchReport.Row.of(plan.isPlanned() ? name : name + ", given up", plan.seconds(), "s"));
     rows.add(BenchReport.Row.of(name + ", memory", plan.mebibytes(), "MiB"));
     if (!plan.isPlanned()) {
       tooSlow.add(wish);
+    }
+  }
+
+  /** Of the wishes that are not too much in a cold start. */
+  private void decide(Building building) {
+    WarmDecisions decisions = new WarmDecisions(building);
+    for (Wish wish : Wish.values()) {
+      for (WarmDecisions.Known known : WarmDecisions.Known.values()) {
+        if (!tooSlow.contains(wish)) {
+          List<String> goals =
+              IntStream.range(0, GOALS).mapToObj(number -> wish.goal(building, number)).toList();
+          rows.add(
+              BenchReport.Row.of(
+                  "%d devices: %s, decided, %s"
+                      .formatted(building.devices(), wish.words, known.words()),
+                  decisions.median(known, goals),
+                  "s"));
+        }
+      }
     }
   }
 
