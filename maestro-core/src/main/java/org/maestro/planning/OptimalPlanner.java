@@ -64,15 +64,15 @@ public final class OptimalPlanner implements Planner {
   }
 
   /**
-   * What is found with few of the members that are alike, where nothing is claimed to be the best:
-   * a plan that has to find things out first. Else what is found with all of them.
+   * What is found with few of the members that are alike, where that is what is found with all of
+   * them, or nothing is claimed to be the best. Else what is found with all of them.
    */
   static PlanningResult withFewAlike(
       PlanningTask task, Function<PlanningTask, PlanningResult> solver) {
     Optional<FewAlike> few = FewAlike.of(task);
     if (few.isPresent()
         && solver.apply(few.get().task()) instanceof PlanningResult.Found found
-        && !found.plan().searches().isEmpty()
+        && few.get().suffices(found)
         && leadsToTheGoal(task, found.plan())) {
       return few.get().withOthers(found);
     }

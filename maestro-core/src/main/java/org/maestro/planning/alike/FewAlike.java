@@ -2,6 +2,7 @@ package org.maestro.planning.alike;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -64,6 +65,15 @@ public final class FewAlike {
 
   public PlanningTask task() {
     return task;
+  }
+
+  /**
+   * Whether what was found with few will do: the plan has to find something out, and then it is not
+   * called the cheapest, or no plan of that cost has to do with any of them, and so with others.
+   */
+  public boolean suffices(Found found) {
+    return !found.plan().searches().isEmpty()
+        || groups.stream().allMatch(group -> Collections.disjoint(group, found.contenders()));
   }
 
   /** What was found with few, told of all. */
