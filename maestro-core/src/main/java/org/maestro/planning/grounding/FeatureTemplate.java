@@ -23,6 +23,7 @@ import org.maestro.planning.problem.ConditionCompiler;
 import org.maestro.planning.problem.EffectCompiler;
 import org.maestro.planning.problem.Signature;
 import org.maestro.planning.problem.StaticFacts;
+import org.maestro.sl.Effect;
 import org.maestro.sl.EffectTarget;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
@@ -52,7 +53,7 @@ final class FeatureTemplate {
   private final List<Conjunct> ties = new ArrayList<>();
 
   private final List<Formula> required = new ArrayList<>();
-  private final List<EffectTarget> targets;
+  private final List<Target> targets = new ArrayList<>();
   private final IdleParameters idle;
   private final Map<Set<String>, Next> nextOf = new HashMap<>();
 
@@ -68,6 +69,24 @@ final class FeatureTemplate {
    * @param to a variable where that is not told by the parameters
    */
   record ValueStep(Optional<Term> from, Term to, Map<String, Term> bindings) {}
+
+  /** A condition of a part of the effect. */
+  private record Guard(Formula condition, Set<String> variables) {}
+
+  /**
+   * What a part of the effect names.
+   *
+   * @param guards that all have to hold for it
+   */
+  private record Target(EffectTarget named, List<Guard> guards) {
+    String name() {
+      return named.name();
+    }
+
+    List<Term> arguments() {
+      return named.arguments();
+    }
+  }
 
   /** The values that a parameter may take, as far as they do not depend on other parameters. */
   private record Domain(List<Term> values, Set<Term> asSet) {
@@ -127,7 +146,7 @@ final class FeatureTemplate {
     collectStatic(feature.type().precondition(), signature, staticAnswers);
     domains.replaceAll(this::narrowed);
     conjuncts.stream().filter(conjunct -> !isOfDomain(conjunct)).forEach(ties::add);
-    this.targets = EffectTarget.of(feature.type().effect());
+    collectTargets(feature.type().effect(), List.of());
   }
 
   PricedFeature feature() {
@@ -188,6 +207,20 @@ final class FeatureTemplate {
     }
   }
 
+  private void collectTargets(Effect effect, List<Guard> guards) {
+    if (effect instanceof Effect.All all) {
+      all.effects().forEach(part -> collectTargets(part, guards));
+    } else if (effect instanceof Effect.When when) {
+      List<Guard> more = new ArrayList<>(guards);
+      more.add(new Guard(when.condition(), FreeVariables.of(when.condition())));
+      collectTargets(when.effect(), more);
+    } else if (effect instanceof Effect.Forall forall) {
+      collectTargets(forall.effect(), guards);
+    } else {
+      EffectTarget.of(effect).forEach(one -> targets.add(new Target(one, guards)));
+    }
+  }
+
   private boolean isOfDomain(Conjunct conjunct) {
     return conjunct.variables().size() == 1 && domains.keySet().containsAll(conjunct.variables());
   }
@@ -220,7 +253,7 @@ final class FeatureTemplate {
    */
   void forEachInstanceChanging(
       String name, List<Term> arguments, boolean symmetric, Predicate<Map<String, Term>> consumer) {
-    for (EffectTarget target : targets) {
+    for (Target target : targets) {
       if (target.name().equals(name)) {
         boolean goesOn =
             bound(target, arguments).map(one -> forEachInstance(one, consumer)).orElse(true);
@@ -241,7 +274,7 @@ final class FeatureTemplate {
    * @param subject the arguments without the value
    */
   void forEachValueStep(String name, List<Term> subject, Consumer<ValueStep> consumer) {
-    for (EffectTarget target : targets) {
+    for (Target target : targets) {
       if (target.name().equals(name) && target.arguments().size() == subject.size() + 1) {
         bound(target, subject)
             .ifPresent(
@@ -269,7 +302,7 @@ final class FeatureTemplate {
    */
   void forEachInstanceEnding(
       String name, List<Term> subject, Term value, Predicate<Map<String, Term>> consumer) {
-    for (EffectTarget target : targets) {
+    for (Target target : targets) {
       if (target.name().equals(name)) {
         bound(target, subject)
             .filter(bindings -> bindBefore(name, subject, value, bindings))
@@ -309,14 +342,30 @@ final class FeatureTemplate {
   }
 
   /** The parameters' values that give the target these arguments; empty when none do. */
-  private Optional<Map<String, Term>> bound(EffectTarget target, List<Term> arguments) {
+  private Optional<Map<String, Term>> bound(Target target, List<Term> arguments) {
     Map<String, Term> bindings = selfOnly();
     for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
       if (!bind(target.arguments().get(i), arguments.get(i), bindings)) {
         return Optional.empty();
       }
     }
-    return Optional.of(bindings);
+    return isRuledOut(target, arguments, bindings) ? Optional.empty() : Optional.of(bindings);
+  }
+
+  /** A lamp changes the light of every zone that it shines upon, and of no other. */
+  private boolean isRuledOut(Target target, List<Term> arguments, Map<String, Term> bindings) {
+    if (target.guards().isEmpty()) {
+      return false;
+    }
+    Map<String, Term> all = new HashMap<>(bindings);
+    for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
+      if (target.arguments().get(i) instanceof Term.Variable variable) {
+        all.put(variable.name(), arguments.get(i));
+      }
+    }
+    return target.guards().stream()
+        .filter(guard -> all.keySet().containsAll(guard.variables()))
+        .anyMatch(guard -> conditions.condition(guard.condition(), all) == Constant.FALSE);
   }
 
   private boolean bind(Term pattern, Term value, Map<String, Term> bindings) {
