@@ -16,6 +16,6 @@ class ArenaTest {
         .isReached()
         .neverTells("cam-1 says")
         .neverTells("cam-3 says")
-        .hasCallsAtMost(22);
+        .hasCallsAtMost(23);
   }
 }
