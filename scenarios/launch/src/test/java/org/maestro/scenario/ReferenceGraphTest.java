@@ -165,7 +165,12 @@ class ReferenceGraphTest {
 
       stage.kill("eye-hall");
       JsonNode without =
-          graph(stage, "it is missed", now -> !from(now, TRACKER, WATCHES).contains(EYE_HALL));
+          graph(
+              stage,
+              "it is missed",
+              now ->
+                  !from(now, TRACKER, WATCHES).contains(EYE_HALL)
+                      && !now.path("components").findValuesAsText("id").contains(EYE_HALL));
       assertThat(without.path("components").findValuesAsText("id"))
           .contains(EYE_LIVING)
           .doesNotContain(EYE_HALL);
