@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import net.jqwik.api.ForAll;
@@ -67,6 +68,9 @@ class TracedAnswersTest {
   private static final List<String> FLUENTS =
       List.of("(illuminance zone-a)", "(illuminance zone-b)", "(level lamp-b1)");
 
+  private static final List<String> OPEN_FLUENTS =
+      List.of("(distance Bob ?d)", "(distance ?d Cup)", "(level ?d)", "(viewShare cam-a ?d)");
+
   @Property(tries = 25)
   void whatRestsOnNothingThatChangedIsTheSame(@ForAll Random random) {
     Household household = new Household();
@@ -117,6 +121,11 @@ class TracedAnswersTest {
       answers.put(pattern, traced.candidates((Formula.Atom) SlParser.formula(pattern), "d"));
       grounds.put(pattern, Set.copyOf(told));
     }
+    for (String fluent : OPEN_FLUENTS) {
+      told.clear();
+      answers.put(fluent, traced.aboveZero((Expression.Fluent) SlParser.expression(fluent), "d"));
+      grounds.put(fluent, Set.copyOf(told));
+    }
     for (String fluent : FLUENTS) {
       told.clear();
       answers.put(fluent, traced.number((Expression.Fluent) SlParser.expression(fluent)));
@@ -136,6 +145,32 @@ class TracedAnswersTest {
       household.state(Household.CAMERA, "(covers cam-b zone-a)");
       assertThat(household.knowledge.snapshot().candidates(pattern, "d")).isEmpty();
       assertThat(then.candidates((Formula.Atom) SlParser.formula("(in Cup ?d)"), "d")).isEmpty();
+    } finally {
+      household.close();
+    }
+  }
+
+  /** Nobody is left out with whom it may be more, those of whom nothing is known included. */
+  @Test
+  void withWhomANumberMayBeMoreThanNothingIsReckonedOfTheHome() {
+    Household household = new Household();
+    try {
+      household.state(Household.CAMERA, "(position Bob \"4 0 0\")", "(position Cup \"1 0 0\")");
+      Snapshot now = household.knowledge.snapshot();
+      Expression.Fluent open = (Expression.Fluent) SlParser.expression("(distance Bob ?d)");
+      Set<Term> above = now.aboveZero(open, "d").orElseThrow();
+
+      assertThat(above).contains(new Term.Name("Cup")).doesNotContain(new Term.Name("Bob"));
+      for (Term.Name individual : now.individuals("")) {
+        OptionalDouble distance =
+            now.number(
+                new Expression.Fluent("distance", List.of(new Term.Name("Bob"), individual)));
+        assertThat(above.contains(individual))
+            .as(individual.text())
+            .isEqualTo(distance.isEmpty() || distance.getAsDouble() > 0);
+      }
+      household.state(Household.CAMERA, "(= (distance Bob Cup) 3)");
+      assertThat(household.knowledge.snapshot().aboveZero(open, "d")).isEmpty();
     } finally {
       household.close();
     }

@@ -25,6 +25,18 @@ public final class Candidates {
      * @return at least all for which the atom is not false; empty when that is not known
      */
     Optional<Set<Term>> candidates(Formula.Atom atom, String variable);
+
+    /**
+     * The individuals that may stand for the variable where a number is to be more than zero.
+     *
+     * @param fluent ground but for the variable, which stands in it once
+     * @param variable its name, without question mark
+     * @return at least all for which the number is not known to be zero or less; empty when that is
+     *     not known
+     */
+    default Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+      return Optional.empty();
+    }
   }
 
   private final Index index;
@@ -63,17 +75,54 @@ public final class Candidates {
           ? Optional.empty()
           : forSome(forall.variables(), forall.body(), false, variable, bindings);
     } else if (formula instanceof Formula.Comparison comparison) {
-      return holding ? ofEquality(comparison, variable, bindings) : Optional.empty();
+      return holding
+          ? ofEquality(comparison, variable, bindings)
+              .or(() -> ofPositive(comparison, variable, bindings))
+          : Optional.empty();
     }
     return Optional.empty();
   }
 
   private Optional<Set<Term>> ofAtom(
       Formula.Atom atom, String variable, Map<String, Term> bindings) {
-    Term[] arguments = new Term[atom.arguments().size()];
+    return open(atom.arguments(), variable, bindings)
+        .flatMap(open -> index.candidates(new Formula.Atom(atom.predicate(), open), variable));
+  }
+
+  /** What is more than something from zero on is more than zero. */
+  private Optional<Set<Term>> ofPositive(
+      Formula.Comparison comparison, String variable, Map<String, Term> bindings) {
+    Expression more = comparison.left();
+    Expression less = comparison.right();
+    boolean orEqual = comparison.relation() == Formula.Relation.AT_LEAST;
+    switch (comparison.relation()) {
+      case GREATER, AT_LEAST -> {}
+      case LESS, AT_MOST -> {
+        more = comparison.right();
+        less = comparison.left();
+        orEqual = comparison.relation() == Formula.Relation.AT_MOST;
+      }
+      case EQUAL -> {
+        return Optional.empty();
+      }
+    }
+    boolean isPositive =
+        less instanceof Expression.OfTerm of
+            && of.term() instanceof Term.Number number
+            && (orEqual ? number.value() > 0 : number.value() >= 0);
+    return isPositive && more instanceof Expression.Fluent fluent
+        ? open(fluent.arguments(), variable, bindings)
+            .flatMap(open -> index.aboveZero(new Expression.Fluent(fluent.name(), open), variable))
+        : Optional.empty();
+  }
+
+  /** The arguments, ground but for the variable; empty when it is not the only one that is open. */
+  private static Optional<List<Term>> open(
+      List<Term> given, String variable, Map<String, Term> bindings) {
+    Term[] arguments = new Term[given.size()];
     int places = 0;
     for (int i = 0; i < arguments.length; i++) {
-      Term argument = atom.arguments().get(i);
+      Term argument = given.get(i);
       if (argument instanceof Term.Variable named) {
         if (named.name().equals(variable)) {
           places++;
@@ -86,9 +135,7 @@ public final class Candidates {
       }
       arguments[i] = argument;
     }
-    return places == 1
-        ? index.candidates(new Formula.Atom(atom.predicate(), List.of(arguments)), variable)
-        : Optional.empty();
+    return places == 1 ? Optional.of(List.of(arguments)) : Optional.empty();
   }
 
   /**

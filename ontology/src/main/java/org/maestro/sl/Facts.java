@@ -62,6 +62,19 @@ public interface Facts {
   }
 
   /**
+   * The terms with which a number may be more than zero, where these facts can tell that without
+   * that each is asked for.
+   *
+   * @param fluent ground but for the variable, which stands in it once
+   * @param variable its name, without question mark
+   * @return at least all with which the number is not known to be zero or less; empty when all have
+   *     to be tried
+   */
+  default Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+    return Optional.empty();
+  }
+
+  /**
    * Those of the individuals of which the very same is known, so that what can be done with one of
    * them can be done with each other in its place.
    *

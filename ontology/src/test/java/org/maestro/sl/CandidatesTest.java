@@ -123,6 +123,49 @@ class CandidatesTest {
         .isEmpty();
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "(> (gain l1 ?x) 0) | r1 r2",
+        "(>= (gain l1 ?x) 0.5) | r1 r2",
+        "(< 3 (gain l1 ?x)) | r1 r2",
+        "(<= 3 (gain ?l ?x)) | r1 r2",
+        "(and (> (gain l1 ?x) 0) (side d1 r2)) | r1 r2",
+        "(>= (gain l1 ?x) 0) |",
+        "(> (gain l1 ?x) -1) |",
+        "(< (gain l1 ?x) 3) |",
+        "(= (gain l1 ?x) 3) |",
+        "(not (> (gain l1 ?x) 0)) |",
+        "(> (+ 1 (gain l1 ?x)) 0) |",
+        "(> (gain ?x ?x) 0) |",
+        "(> (gain l1 ?x) (level l1)) |",
+      })
+  void ofANumberThatIsToBeMoreThanNothingAreFoundInTheIndex(String formula, String individuals) {
+    Candidates.Index index =
+        new Candidates.Index() {
+          @Override
+          public Optional<Set<Term>> candidates(Formula.Atom atom, String variable) {
+            return Optional.empty();
+          }
+
+          @Override
+          public Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+            assertThat(SlPrinter.print(fluent)).isEqualTo("(gain l1 ?x)");
+            return Optional.of(Set.of(new Term.Name("r1"), new Term.Name("r2")));
+          }
+        };
+    Optional<Set<Term>> found =
+        new Candidates(index)
+            .of(
+                SlParser.formula(formula, Set.of("gain", "level")::contains),
+                true,
+                "x",
+                Map.of("l", new Term.Name("l1")));
+
+    assertThat(found.map(Set::size)).isEqualTo(Optional.ofNullable(individuals).map(i -> 2));
+  }
+
   @Test
   void aVariableOfAQuantifierInsideIsAnother() {
     Formula formula = SlParser.formula("(exists (?y) (and (side ?y r4) (side ?y ?x)))");

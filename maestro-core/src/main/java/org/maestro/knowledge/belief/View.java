@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -128,7 +129,7 @@ public final class View implements Snapshot {
     if (cell.isPresent()) {
       return inCell(cell.get(), atom);
     }
-    String function = declared.flatMap(PredicateDeclaration::computedBy).orElse(atom.predicate());
+    String function = function(declared, atom.predicate());
     if (world.measures().isTruth(function)) {
       return world.measures().truth(function, asked.arguments(), this);
     }
@@ -172,6 +173,35 @@ public final class View implements Snapshot {
     return Optional.of(world.described().related(atom, wanted));
   }
 
+  private static String function(Optional<PredicateDeclaration> declared, String name) {
+    return declared.flatMap(PredicateDeclaration::computedBy).orElse(name);
+  }
+
+  /** Tells of what is reckoned of the home, where nobody ever said anything else. */
+  @Override
+  public Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+    Optional<PredicateDeclaration> declared = world.declarations().declared(fluent.name());
+    String function = function(declared, fluent.name());
+    if (!world.measures().isNumber(function)
+        || fluent.arguments().size() != 2
+        || world.cells().speakOf(fluent.name())) {
+      return Optional.empty();
+    }
+    told.ifPresent(reader -> reader.accept(new Relation(fluent.name())));
+    int place = fluent.arguments().indexOf(new Term.Variable(variable));
+    Optional<String> className = declared.flatMap(one -> one.parameters().get(place).className());
+    List<Term> arguments = new ArrayList<>(fluent.arguments());
+    Set<Term> above = new LinkedHashSet<>();
+    for (Term.Name individual : individuals(className.orElse(""))) {
+      arguments.set(place, individual);
+      OptionalDouble number = world.measures().number(function, List.copyOf(arguments), this);
+      if (number.isEmpty() || number.getAsDouble() > 0) {
+        above.add(individual);
+      }
+    }
+    return Optional.of(above);
+  }
+
   /** Whether it asks for the value that something has. */
   private boolean isValue(Formula.Atom atom, Term.Variable wanted) {
     return world.declarations().isFunctional(atom.predicate())
@@ -210,7 +240,7 @@ public final class View implements Snapshot {
       bearWitness(variable, stated.getAsDouble());
       return stated;
     }
-    String function = declared.flatMap(PredicateDeclaration::computedBy).orElse(fluent.name());
+    String function = function(declared, fluent.name());
     return world.measures().isNumber(function)
         ? world.measures().number(function, fluent.arguments(), this)
         : OptionalDouble.empty();

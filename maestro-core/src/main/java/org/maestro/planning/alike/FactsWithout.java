@@ -55,6 +55,11 @@ final class FactsWithout implements Facts {
     return all.candidates(atom, variable).map(this::others);
   }
 
+  @Override
+  public Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+    return all.aboveZero(fluent, variable).map(this::others);
+  }
+
   private Set<Term> others(Set<Term> terms) {
     Set<Term> others = new LinkedHashSet<>(terms);
     others.removeAll(spare);

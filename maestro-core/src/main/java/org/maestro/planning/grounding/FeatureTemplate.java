@@ -2,6 +2,7 @@ package org.maestro.planning.grounding;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Iterator;
@@ -233,10 +234,16 @@ final class FeatureTemplate {
       return domain;
     }
     Map<String, Term> bindings = selfOnly();
+    Optional<Set<Term>> among =
+        own.stream()
+            .map(conjunct -> conditions.candidates(conjunct.formula(), parameter, bindings))
+            .flatMap(Optional::stream)
+            .min(Comparator.comparingInt(Set::size));
     List<Term> left = new ArrayList<>();
     for (Term value : domain.values()) {
-      bindings.put(parameter, value);
-      if (allHold(own, bindings)) {
+      Map<String, Term> all = new HashMap<>(bindings);
+      all.put(parameter, value);
+      if (among.map(some -> some.contains(value)).orElse(true) && allHold(own, all)) {
         left.add(value);
       }
     }
@@ -360,7 +367,15 @@ final class FeatureTemplate {
     Map<String, Term> all = new HashMap<>(bindings);
     for (int i = 0; i < Math.min(arguments.size(), target.arguments().size()); i++) {
       if (target.arguments().get(i) instanceof Term.Variable variable) {
-        all.put(variable.name(), arguments.get(i));
+        Term value = arguments.get(i);
+        Map<String, Term> others = Map.copyOf(all);
+        if (target.guards().stream()
+            .map(guard -> conditions.candidates(guard.condition(), variable.name(), others))
+            .flatMap(Optional::stream)
+            .anyMatch(among -> !among.contains(value))) {
+          return true;
+        }
+        all.put(variable.name(), value);
       }
     }
     return target.guards().stream()

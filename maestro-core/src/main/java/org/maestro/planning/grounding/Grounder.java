@@ -24,6 +24,7 @@ import org.maestro.planning.problem.GroundGoal;
 import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.Relevance;
+import org.maestro.planning.problem.StaticFacts;
 import org.maestro.planning.problem.StepSentence;
 import org.maestro.planning.problem.Variable;
 import org.maestro.planning.problem.VariableValue;
@@ -52,7 +53,7 @@ public final class Grounder {
   private Set<StepKey> barred;
 
   public Grounder(PlanningTask task) {
-    this(new GroundingCache(task), task, false);
+    this(GroundingCache.forOnce(task), task, false);
   }
 
   /** One that makes use of what other goals left. */
@@ -87,7 +88,12 @@ public final class Grounder {
     }
     GroundingCache work =
         new GroundingCache(
-            task, features, features, true, made -> withWhatIsMissing(made, task, missing));
+            task,
+            StaticFacts.forOnce(task.facts()),
+            features,
+            features,
+            true,
+            made -> withWhatIsMissing(made, task, missing));
     return new Grounder(work, task, true);
   }
 

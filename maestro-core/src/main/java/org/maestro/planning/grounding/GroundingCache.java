@@ -83,18 +83,29 @@ public final class GroundingCache {
 
   /** For the features of a task. */
   public GroundingCache(PlanningTask task) {
-    this(task, task.features(), task.features(), false, operator -> operator);
+    this(task, new StaticFacts(task.facts()));
+  }
+
+  private GroundingCache(PlanningTask task, StaticFacts facts) {
+    this(task, facts, task.features(), task.features(), false, operator -> operator);
+  }
+
+  /** For the features of a task, to be used for that task only. */
+  static GroundingCache forOnce(PlanningTask task) {
+    return new GroundingCache(task, StaticFacts.forOnce(task.facts()));
   }
 
   /**
+   * @param facts of the task
    * @param changing features that tell what may change at all
    * @param offered those of which instances are made
    * @param keepingFailed whether instances that are impossible by what is stated are made too, with
    *     conditions that say what is wrong
    * @param finish what is done to each operator that was made
    */
-  public GroundingCache(
+  GroundingCache(
       PlanningTask task,
+      StaticFacts facts,
       List<PricedFeature> changing,
       List<PricedFeature> offered,
       boolean keepingFailed,
@@ -103,7 +114,7 @@ public final class GroundingCache {
     this.finish = finish;
     this.signature = new Signature(task.vocabulary(), changing);
     this.offers = new Offers(offered, this::isSymmetric);
-    this.facts = new StaticFacts(task.facts());
+    this.facts = facts;
     this.variables = new Variables(signature, facts);
     this.conditions = new ConditionCompiler(signature, facts, variables);
     this.preconditions = keepingFailed ? conditions.keepingFailed() : conditions;
@@ -449,6 +460,7 @@ public final class GroundingCache {
         task.features().stream()
             .filter(feature -> used.contains(List.of(feature.member(), feature.type().name())))
             .toList();
-    return new GroundingCache(task, task.features(), offered, false, operator -> operator);
+    return new GroundingCache(
+        task, new StaticFacts(task.facts()), task.features(), offered, false, operator -> operator);
   }
 }

@@ -209,13 +209,22 @@ public final class ConditionCompiler {
     return conjunction ? Condition.all(parts) : Condition.any(parts);
   }
 
-  /** Hands on the bindings extended by each choice of individuals for the variables. */
+  /**
+   * Hands on the bindings extended by each choice of individuals for the variables.
+   *
+   * @param guard those with which it is false are left out, as far as that is told
+   */
   void forEachGrounding(
       List<TypedVariable> quantified,
+      Optional<Formula> guard,
       Map<String, Term> bindings,
       Consumer<Map<String, Term>> consumer) {
     choose(
-        quantified, 0, new HashMap<>(bindings), (variable, others) -> Optional.empty(), consumer);
+        quantified,
+        0,
+        new HashMap<>(bindings),
+        (variable, others) -> guard.flatMap(one -> candidates(one, variable, others)),
+        consumer);
   }
 
   private void choose(
@@ -260,8 +269,23 @@ public final class ConditionCompiler {
       Formula formula, boolean holding, String variable, Map<String, Term> bindings, int depth) {
     return keepingFailed
         ? Optional.empty()
-        : new Candidates((atom, open) -> candidates(atom, open, depth))
-            .of(formula, holding, variable, bindings);
+        : new Candidates(index(depth)).of(formula, holding, variable, bindings);
+  }
+
+  private Candidates.Index index(int depth) {
+    return new Candidates.Index() {
+      @Override
+      public Optional<Set<Term>> candidates(Formula.Atom atom, String open) {
+        return ConditionCompiler.this.candidates(atom, open, depth);
+      }
+
+      @Override
+      public Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String open) {
+        return signature.isDynamic(fluent.name())
+            ? Optional.empty()
+            : facts.aboveZero(fluent, open);
+      }
+    };
   }
 
   private Optional<Set<Term>> candidates(Formula.Atom atom, String variable, int depth) {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
@@ -69,6 +70,9 @@ public final class EffectCompiler {
     } else if (effect instanceof Effect.Forall forall) {
       conditions.forEachGrounding(
           forall.variables(),
+          forall.effect() instanceof Effect.When when
+              ? Optional.of(when.condition())
+              : Optional.empty(),
           bindings,
           extended -> collect(forall.effect(), extended, condition, changes));
     } else if (effect instanceof Effect.Add add) {

@@ -24,6 +24,7 @@ public final class StaticFacts {
   private final Map<Formula.Atom, Truth> truths = new HashMap<>();
   private final Map<Expression.Fluent, Double> numbers = new HashMap<>();
   private final Map<Whom, Optional<Set<Term>>> candidates = new HashMap<>();
+  private final Map<Which, Optional<Set<Term>>> aboveZero = new HashMap<>();
   private final Map<String, List<Term>> individuals = new HashMap<>();
 
   /** The questions whose answers rest on something. */
@@ -33,6 +34,9 @@ public final class StaticFacts {
 
   /** The question for whom an atom may hold. */
   private record Whom(Formula.Atom atom, String variable) {}
+
+  /** The question with which individuals a number may be more than zero. */
+  private record Which(Expression.Fluent fluent, String variable) {}
 
   /**
    * The differences of other facts from these, in what was asked.
@@ -44,6 +48,16 @@ public final class StaticFacts {
 
   public StaticFacts(Facts facts) {
     take(facts);
+  }
+
+  private StaticFacts(Facts facts, Facts asked) {
+    this.facts = facts;
+    this.asked = asked;
+  }
+
+  /** Those for one task: on what answers rest is not kept, which takes time and memory. */
+  public static StaticFacts forOnce(Facts facts) {
+    return new StaticFacts(facts, facts);
   }
 
   private void take(Facts next) {
@@ -96,6 +110,7 @@ public final class StaticFacts {
     Set<Object> questions = new LinkedHashSet<>(truths.keySet());
     questions.addAll(numbers.keySet());
     questions.addAll(candidates.keySet());
+    questions.addAll(aboveZero.keySet());
     return questions;
   }
 
@@ -112,6 +127,10 @@ public final class StaticFacts {
         name = whom.atom().predicate();
         Optional<Set<Term>> before = candidates.put(whom, askedCandidates(whom));
         same = candidates.get(whom).equals(before);
+      } else if (question instanceof Which which) {
+        name = which.fluent().name();
+        Optional<Set<Term>> before = aboveZero.put(which, askedAboveZero(which));
+        same = aboveZero.get(which).equals(before);
       } else {
         Expression.Fluent fluent = (Expression.Fluent) question;
         name = fluent.name();
@@ -161,6 +180,24 @@ public final class StaticFacts {
     told.clear();
     Optional<Set<Term>> found = asked.candidates(whom.atom(), whom.variable());
     told.forEach(ground -> rest(ground, whom));
+    return found;
+  }
+
+  /** As {@link Facts#aboveZero}. */
+  public Optional<Set<Term>> aboveZero(Expression.Fluent fluent, String variable) {
+    Which which = new Which(fluent, variable);
+    Optional<Set<Term>> known = aboveZero.get(which);
+    if (known == null) {
+      known = askedAboveZero(which);
+      aboveZero.put(which, known);
+    }
+    return known;
+  }
+
+  private Optional<Set<Term>> askedAboveZero(Which which) {
+    told.clear();
+    Optional<Set<Term>> found = asked.aboveZero(which.fluent(), which.variable());
+    told.forEach(ground -> rest(ground, which));
     return found;
   }
 
