@@ -190,7 +190,13 @@ public final class GroupAgent extends MaestroAgent implements AgentLifeListener 
 
   @Override
   public void agentDied(String name) {
-    tell(() -> speech.ifPresent(its -> its.agentDied(name)));
+    tell(
+        () -> {
+          speech.ifPresent(its -> its.agentDied(name));
+          if (name.equals(AgentNames.COORDINATOR)) {
+            listening.ifPresent(RoomListening::centreDied);
+          }
+        });
   }
 
   private void startToPursue() {

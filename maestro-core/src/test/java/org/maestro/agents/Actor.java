@@ -202,6 +202,15 @@ public final class Actor extends MaestroAgent {
     answer(order, ACLMessage.INFORM, "(inform (:outputs))");
   }
 
+  /** Says it to another of the platform; what is answered is heard as all else is. */
+  void ask(String agent, int performative, String content) {
+    ACLMessage request = new ACLMessage(performative);
+    request.addReceiver(getAID(agent));
+    request.setConversationId(getLocalName() + "-asks");
+    request.setContent(content);
+    tell(() -> send(request));
+  }
+
   void answer(ACLMessage message, int performative, String content) {
     ACLMessage answer = message.createReply();
     answer.setPerformative(performative);

@@ -14,12 +14,15 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.maestro.agents.content.AgentNames;
 import org.maestro.knowledge.api.ForwardingKnowledge;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Group;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
+import org.maestro.ontology.home.RoomHearing;
+import org.maestro.ontology.home.StatedWorth;
 import org.maestro.sl.Formula;
 import org.maestro.sl.SlParser;
 
@@ -119,6 +122,35 @@ class GroupAgentTest {
 
     describes("usher", 0);
     society.await(() -> looks.get() > before, SOON);
+  }
+
+  /** What it was asked before its end nobody else would ever hear of (A91). */
+  @Test
+  void whatTheCentralAgentHasHeardAndNotAnsweredTheRoomDoesWhenThatEnds() {
+    Group hall =
+        new Group(
+            new Individual("hall-agent", "urn:hall-agent", "hall", Set.of(), Map.of()),
+            Optional.empty(),
+            Set.of(),
+            Optional.empty(),
+            List.of(),
+            StatedWorth.NONE,
+            true,
+            Optional.of(new RoomHearing(Set.of("hall"), Set.of(), Optional.empty())));
+    GroupAgent room = society.group(hall);
+    society.start("hall-agent", room);
+    society.kill(AgentNames.COORDINATOR);
+    Actor silent = society.actor(AgentNames.COORDINATOR, Actor.Part.onOrder((actor, order) -> {}));
+    Actor bystander = society.actor("usher", new Actor.Part() {});
+
+    bystander.ask("hall-agent", ACLMessage.ACCEPT_PROPOSAL, "(say \"hello\" (:by Bob) (:in hall))");
+    society.await(() -> silent.heard().contains("request"), SOON);
+    assertThat(bystander.heard()).isEmpty();
+
+    society.kill(AgentNames.COORDINATOR);
+    room.agentDied(AgentNames.COORDINATOR);
+    society.await(() -> bystander.heard().contains("inform"), SOON);
+    assertThat(room.conversations().openCount()).isZero();
   }
 
   private void describes(String device, int time) {

@@ -152,6 +152,13 @@ public final class Society implements AutoCloseable {
     return add(container, member, part);
   }
 
+  /** One whom nobody waits for. */
+  Actor actor(String name, Actor.Part part) {
+    Actor actor = new Actor(birth(), time, part);
+    start(container, name, actor);
+    return actor;
+  }
+
   public Actor add(AgentContainer where, String member, Actor.Part part) {
     Actor actor = new Actor(birth(), time, part);
     start(where, member, actor);

@@ -2,8 +2,10 @@ package org.maestro.agents.rooms;
 
 import jade.lang.acl.ACLMessage;
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import org.maestro.agents.centre.Said;
 import org.maestro.agents.centre.Sayings;
@@ -12,6 +14,7 @@ import org.maestro.agents.content.Replies;
 import org.maestro.agents.content.SayWords;
 import org.maestro.agents.content.Words;
 import org.maestro.agents.faces.Faces;
+import org.maestro.agents.runtime.Conversations;
 import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.dialogue.Dialogues;
 import org.maestro.dialogue.SpokenWords;
@@ -35,6 +38,7 @@ public final class RoomListening {
   private final Dialogues dialogues;
   private final Sayings own;
   private final RoundOfRooms others;
+  private final Set<HandedOver> atTheCentre = new LinkedHashSet<>();
 
   /**
    * @param name the agent's, as the home has it
@@ -152,24 +156,61 @@ public final class RoomListening {
 
   /** All answers of who does it are told to who said it. */
   private void carryOut(Said said) {
-    boolean[] isTakenOn = {false};
-    agent.ask(
-        agent.message(ACLMessage.REQUEST, agent.getAID(AgentNames.COORDINATOR), request(said)),
-        NO_END,
-        reply -> {
-          if (!Replies.isFromPlatform(reply)) {
-            isTakenOn[0] |= reply.getPerformative() == ACLMessage.AGREE;
-            tell(said, reply.getPerformative(), Words.parse(reply.getContent()));
-          } else if (isTakenOn[0]) {
-            agent.refuse(
-                said.message(),
-                ACLMessage.FAILURE,
-                "The central agent has ended meanwhile; what runs goes on, and nobody tells how it"
-                    + " ends.");
-          } else {
-            own.hear(said);
-          }
-        });
+    HandedOver handedOver = new HandedOver(said);
+    handedOver.conversation =
+        agent
+            .conversations()
+            .ask(
+                agent.message(
+                    ACLMessage.REQUEST, agent.getAID(AgentNames.COORDINATOR), request(said)),
+                NO_END,
+                reply -> answered(handedOver, reply));
+    atTheCentre.add(handedOver);
+  }
+
+  /** What was passed on to the central agent, and has no final answer yet. */
+  private static final class HandedOver {
+    private final Said said;
+    private String conversation = "";
+    private boolean isTakenOn;
+
+    HandedOver(Said said) {
+      this.said = said;
+    }
+  }
+
+  private void answered(HandedOver handedOver, ACLMessage reply) {
+    if (Conversations.isFinal(reply)) {
+      atTheCentre.remove(handedOver);
+    }
+    if (Replies.isFromPlatform(reply)) {
+      withoutCentre(handedOver);
+    } else {
+      handedOver.isTakenOn |= reply.getPerformative() == ACLMessage.AGREE;
+      tell(handedOver.said, reply.getPerformative(), Words.parse(reply.getContent()));
+    }
+  }
+
+  /** The central agent is no more, and answers nothing that it was told before. */
+  public void centreDied() {
+    List<HandedOver> unanswered = List.copyOf(atTheCentre);
+    atTheCentre.clear();
+    for (HandedOver handedOver : unanswered) {
+      agent.conversations().close(handedOver.conversation);
+      agent.work(() -> withoutCentre(handedOver));
+    }
+  }
+
+  private void withoutCentre(HandedOver handedOver) {
+    if (handedOver.isTakenOn) {
+      agent.refuse(
+          handedOver.said.message(),
+          ACLMessage.FAILURE,
+          "The central agent has ended meanwhile; what runs goes on, and nobody tells how it"
+              + " ends.");
+    } else {
+      own.hear(handedOver.said);
+    }
   }
 
   private static Content request(Said said) {
