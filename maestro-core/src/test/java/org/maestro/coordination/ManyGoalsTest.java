@@ -3,10 +3,6 @@ package org.maestro.coordination;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.List;
-import java.util.Optional;
-import java.util.function.Predicate;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalState;
@@ -18,7 +14,6 @@ class ManyGoalsTest {
   private static final int ZONES = 5;
   private static final int ROBOTS = 20;
   private static final int WISHES = 50;
-  private static final int A_CROWD = 12;
 
   private final CarrierPlanner planner = new CarrierPlanner();
 
@@ -46,35 +41,6 @@ class ManyGoalsTest {
     assertThat(house.accidents).isEmpty();
     assertThat(planner.plans()).isLessThan(6 * WISHES);
     assertThat(planner.checks()).isLessThan(40 * WISHES);
-  }
-
-  @Test
-  void allArePlannedBeforeAnyIsBegunButOneThatGoesFirst() {
-    NarrowHouse house = new NarrowHouse(home(), 1, planner);
-    for (int i = 0; i < A_CROWD; i++) {
-      house.with("robot-" + i, "zone-" + i % ZONES);
-      house.with("Item" + i, "zone-" + (i + 1) % ZONES);
-    }
-    String first = house.wish("(in Item0 zone-0)", 1, Optional.empty());
-    for (int i = 1; i < A_CROWD; i++) {
-      house.wish("(in Item%d zone-%d)".formatted(i, i % ZONES));
-    }
-    assertThat(house.run(A_CROWD, Duration.ofMinutes(30))).as(house.told()).isTrue();
-
-    List<String> told = house.story;
-    int planned = lastOf(told, entry -> entry.contains(" PLAN Plan 1 "));
-    List<String> before =
-        told.subList(0, planned).stream().filter(entry -> entry.contains(" STEP ")).toList();
-    assertThat(before).as(house.told()).allMatch(entry -> entry.contains(" " + first + " "));
-    assertThat(house.outcomes.values()).allMatch(GoalOutcome::reached);
-    assertThat(told).anyMatch(entry -> entry.contains("Begins when the many goals"));
-  }
-
-  private static int lastOf(List<String> told, Predicate<String> wanted) {
-    return IntStream.range(0, told.size())
-        .filter(i -> wanted.test(told.get(i)))
-        .max()
-        .orElseThrow();
   }
 
   private static Home home() {

@@ -93,9 +93,6 @@ final class GoalPlanning {
     changedMeanwhile = nothing();
     begunWith = parts.monitor().look();
     parts.preemption().forget();
-    if (life.plans() == 0) {
-      parts.activeGoals().rush().planning(parts.id());
-    }
     life.countPlan(confirming);
     life.become(phaseWhilePlanning(why), why.orElse(""));
     parts.story().planning(life.plans(), why);
@@ -142,9 +139,6 @@ final class GoalPlanning {
     } else {
       parts.life().become(GoalPhase.DECIDING);
       take(round);
-    }
-    if (!isPlanning()) {
-      parts.activeGoals().rush().planned(parts.id());
     }
   }
 

@@ -12,7 +12,6 @@ import org.maestro.coordination.allocation.ExactPrices;
 import org.maestro.coordination.allocation.TakeoverOffers;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.ContractNet;
-import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.HeldElsewhere;
 import org.maestro.coordination.api.Sentences;
@@ -21,7 +20,6 @@ import org.maestro.coordination.api.WaitsFor;
 import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.Leases;
 import org.maestro.coordination.contention.PlanUnderway;
-import org.maestro.coordination.contention.Rush;
 import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.facts.KnowledgeVersion;
@@ -173,22 +171,9 @@ final class PlanFollowing {
     } else if (life.phase().isResting()) {
       preemption.came(monitor.isConfirming());
       reconsider(() -> "things have changed while it waited");
-    } else if (!preemption.givesWay(parts.resourceClaims().wanted()) && !isHeldBack()) {
+    } else if (!preemption.givesWay(parts.resourceClaims().wanted())) {
       beginSteps();
     }
-  }
-
-  /** What has begun goes on, and so does what comes before others. */
-  private boolean isHeldBack() {
-    boolean heldBack =
-        life.calls() == 0
-            && life.request().priority() <= GoalRequest.USUAL_PRIORITY
-            && parts.activeGoals().rush().holdsBack(life.id());
-    if (heldBack && life.state() != GoalState.WAITING) {
-      life.become(GoalPhase.WAITING_FOR_PLANS, "for the goals stated with it to be planned");
-      story.heldBack(Rush.LONGEST);
-    }
-    return heldBack;
   }
 
   private void beginSteps() {

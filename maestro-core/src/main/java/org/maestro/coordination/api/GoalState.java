@@ -5,9 +5,8 @@ public enum GoalState {
   SUBMITTED,
   PLANNING,
   /**
-   * For something that another goal holds, for its own steps to end, for the many goals stated with
-   * it to be planned, or for a member to come back that was lost moments ago; the detail says
-   * which.
+   * For something that another goal holds, for its own steps to end, or for a member to come back
+   * that was lost moments ago; the detail says which.
    */
   WAITING,
   RUNNING,

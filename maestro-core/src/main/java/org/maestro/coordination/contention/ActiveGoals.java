@@ -35,7 +35,6 @@ public final class ActiveGoals {
   private final Map<String, ActiveGoal> pursuits = new LinkedHashMap<>();
   private final Deque<Runnable> errands = new ArrayDeque<>();
   private final Set<String> woken = new LinkedHashSet<>();
-  private final Rush rush;
   private final Experience experience = new Experience();
   private final Appraisals appraisals;
   private final OtherManagers otherManagers;
@@ -47,17 +46,12 @@ public final class ActiveGoals {
    * @param agents of the members, which are told what is wanted that other managers have
    */
   public ActiveGoals(Clock clock, Executor owner, Appraisals appraisals, ActionDispatcher agents) {
-    this.rush = new Rush(clock, owner, this::wake);
     this.appraisals = appraisals;
     this.otherManagers = new OtherManagers(this, agents, clock, owner);
   }
 
   public Leases leases() {
     return leases;
-  }
-
-  public Rush rush() {
-    return rush;
   }
 
   public Appraisals appraisals() {

@@ -23,7 +23,6 @@ public enum GoalPhase {
   HALTING("Another has what the next steps need; those under way come to their end."),
   WAITING_FOR_TURN(GoalState.WAITING, "Another has what its plan needs, or its script is to hold."),
   WAITING_FOR_STEP(GoalState.WAITING, "A step needs a thing in use, or would spoil a fact."),
-  WAITING_FOR_PLANS(GoalState.WAITING, "The goals stated with it are planned first."),
   WAITING_FOR_WORTH(GoalState.WAITING, "It costs more than it brings, as things are."),
   WAITING_FOR_RANK(GoalState.WAITING, "There is no plan beside what another keeps, for now."),
   WAITING_FOR_STEPS(GoalState.WAITING, "There is no plan; its own steps have to end first."),
@@ -113,7 +112,6 @@ public enum GoalPhase {
               HALTING,
               WAITING_FOR_TURN,
               WAITING_FOR_STEP,
-              WAITING_FOR_PLANS,
               WAITING_FOR_WORTH,
               LISTENING,
               ASKING,
@@ -134,12 +132,11 @@ public enum GoalPhase {
               PLANNING_TO_SEE,
               SUSPENDED,
               ENDING);
-      case WAITING_FOR_STEP, WAITING_FOR_PLANS ->
+      case WAITING_FOR_STEP ->
           EnumSet.of(
               RUNNING,
               LOOKING,
               WAITING_FOR_STEP,
-              WAITING_FOR_PLANS,
               HALTING,
               WAITING_FOR_TURN,
               WAITING_FOR_WORTH,

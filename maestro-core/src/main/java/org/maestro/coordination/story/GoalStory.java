@@ -197,13 +197,6 @@ public final class GoalStory {
     tell(StoryEntry.Kind.WAIT, "Stands back: " + why + ".");
   }
 
-  public void heldBack(Duration atMost) {
-    tell(
-        StoryEntry.Kind.WAIT,
-        "Begins when the many goals that were stated with it are planned, %d s from now at most."
-            .formatted(atMost.toSeconds()));
-  }
-
   public void goesOn() {
     tell(StoryEntry.Kind.WAIT, "Goes on.");
   }
