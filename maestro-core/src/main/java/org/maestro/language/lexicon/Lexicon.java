@@ -122,7 +122,11 @@ public final class Lexicon implements WordEntries {
             grammar.list("singular"));
     this.numbers =
         new SpokenNumbers(
-            whole, grammar.list("negative"), grammar.list("decimal"), grammar.list("halving"));
+            whole,
+            grammar.list("negative"),
+            grammar.list("decimal"),
+            grammar.list("halving"),
+            grammar.list("noughts"));
     this.subordinating = grammar.list("subordinating");
     int most = LONGEST_NUMBER;
     for (Map.Entry<List<String>, Map<String, List<Form>>> entry : entries.entrySet()) {

@@ -16,22 +16,26 @@ final class SpokenNumbers {
   private final Set<List<String>> negative;
   private final Set<List<String>> marks;
   private final Set<List<String>> halves;
+  private final Set<List<String>> noughts;
 
   /**
    * @param whole those without any of these
    * @param negative words before a number below zero
    * @param marks words between a whole number and its decimals
    * @param halves words that add a half behind a number, or at its end where numbers are one word
+   * @param noughts words for a nought among decimals, which are no numbers elsewhere
    */
   SpokenNumbers(
       NumberWords whole,
       Set<List<String>> negative,
       Set<List<String>> marks,
-      Set<List<String>> halves) {
+      Set<List<String>> halves,
+      Set<List<String>> noughts) {
     this.whole = whole;
     this.negative = negative;
     this.marks = marks;
     this.halves = halves;
+    this.noughts = noughts;
   }
 
   /** Whether the word can be one of a number. */
@@ -99,6 +103,8 @@ final class SpokenNumbers {
       OptionalDouble one = whole.value(List.of(word));
       if (DIGITS.matcher(word).matches()) {
         digits.append(word);
+      } else if (isListed(noughts, word)) {
+        digits.append('0');
       } else if (isWholeFrom(one, 0, TEN)) {
         digits.append((int) one.getAsDouble());
       } else {
