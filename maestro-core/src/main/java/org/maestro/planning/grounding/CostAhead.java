@@ -22,7 +22,7 @@ import org.maestro.sl.Term;
  */
 final class CostAhead {
   /** Where more features have to do with each other, two steps are hardly ever told apart. */
-  private static final int MOST_COUNTED = 16;
+  private static final int MOST_COUNTED = 12;
 
   /** Knows which instances of features bring a value about. */
   interface Source {

@@ -15,6 +15,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.maestro.ontology.vocabulary.Parameter;
 import org.maestro.ontology.vocabulary.Price;
@@ -273,6 +275,42 @@ final class FeatureTemplate {
         }
       }
     }
+  }
+
+  /**
+   * The values that each argument can have where the effect changes what is named; empty for one of
+   * which that is not told.
+   */
+  List<Optional<Set<Term>>> reach(String name) {
+    List<Target> named = targets.stream().filter(target -> target.name().equals(name)).toList();
+    int places = named.stream().mapToInt(target -> target.arguments().size()).min().orElse(0);
+    return IntStream.range(0, places).mapToObj(place -> reach(named, place)).toList();
+  }
+
+  private Optional<Set<Term>> reach(List<Target> named, int place) {
+    Set<Term> all = new HashSet<>();
+    for (Target target : named) {
+      Optional<Set<Term>> own = reach(target, target.arguments().get(place));
+      if (own.isEmpty()) {
+        return own;
+      }
+      all.addAll(own.get());
+    }
+    return Optional.of(all);
+  }
+
+  private Optional<Set<Term>> reach(Target target, Term pattern) {
+    Map<String, Term> self = selfOnly();
+    if (!(value(pattern, self) instanceof Term.Variable variable)) {
+      return Optional.of(Set.of(value(pattern, self)));
+    }
+    Stream<Set<Term>> byDomain =
+        Optional.ofNullable(domains.get(variable.name())).map(Domain::asSet).stream();
+    Stream<Set<Term>> byGuards =
+        target.guards().stream()
+            .map(guard -> conditions.candidates(guard.condition(), variable.name(), self))
+            .flatMap(Optional::stream);
+    return Stream.concat(byDomain, byGuards).min(Comparator.comparingInt(Set::size));
   }
 
   /**

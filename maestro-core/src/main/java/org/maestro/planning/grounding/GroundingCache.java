@@ -78,6 +78,9 @@ public final class GroundingCache {
   /** Robots that are alike have the same ways. */
   private final Map<List<OwnStep>, OwnGraph> ownGraphs = new HashMap<>();
 
+  private final Map<String, ChangersByArgument> changers = new HashMap<>();
+  private final Map<Object, List<Integer>> mayChange = new HashMap<>();
+
   private final ChangeLog changes = new ChangeLog();
   private int generation;
 
@@ -144,7 +147,11 @@ public final class GroundingCache {
   public boolean renew(PlanningTask next) {
     boolean renewed = takeFacts(next.facts()).isPresent();
     if (renewed) {
+      Map<Integer, Integer> before = offers.ranks();
       offers.become(next.features()).forEach(this::forgetPriced);
+      if (!offers.ranks().equals(before)) {
+        mayChange.clear();
+      }
     }
     return renewed;
   }
@@ -190,6 +197,7 @@ public final class GroundingCache {
     leastPrices.clear();
     ownSteps.clear();
     ownGraphs.clear();
+    changers.clear();
     shed();
   }
 
@@ -201,6 +209,7 @@ public final class GroundingCache {
     templateOf.clear();
     changing.clear();
     settingPrices.clear();
+    mayChange.clear();
   }
 
   /** Grows whenever all instances are forgotten: what was made of them is of no more use. */
@@ -423,7 +432,23 @@ public final class GroundingCache {
 
   /** The numbers of the features that may bring about or change what is wanted. */
   List<Integer> mayChange(Object want) {
-    return offers.changing(name(want), arguments(want));
+    return mayChange.computeIfAbsent(want, this::mayChangeAnew);
+  }
+
+  private List<Integer> mayChangeAnew(Object want) {
+    String name = name(want);
+    List<Term> arguments = arguments(want);
+    return offers.changing(
+        name,
+        arguments,
+        all ->
+            isSymmetric(name)
+                ? all
+                : changers
+                    .computeIfAbsent(
+                        name,
+                        absent -> new ChangersByArgument(number -> template(number).reach(name)))
+                    .of(all, arguments));
   }
 
   /** The arguments of what is wanted, with the value if that is wanted. */

@@ -13,6 +13,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.FeatureType;
@@ -177,6 +178,11 @@ final class Offers {
     return ranks.containsKey(number);
   }
 
+  /** The places in the task's order of all that are there, by their numbers. */
+  Map<Integer, Integer> ranks() {
+    return Map.copyOf(ranks);
+  }
+
   /** The place in the task's order of a feature that is there. */
   int rank(int number) {
     return Objects.requireNonNull(ranks.get(number));
@@ -188,13 +194,15 @@ final class Offers {
    *
    * @param name of the predicate or number
    * @param arguments as far as they are known
+   * @param among tells which of those that may change something else too may change this
    */
-  List<Integer> changing(String name, List<Term> arguments) {
+  List<Integer> changing(String name, List<Term> arguments, UnaryOperator<List<Integer>> among) {
     Changing all = changing.get(name);
     if (all == null) {
       return List.of();
     }
-    List<Integer> numbers = new ArrayList<>(all.ofAnything());
+    List<Integer> numbers = new ArrayList<>(among.apply(all.ofAnything()));
+    numbers.removeIf(number -> !isThere(number));
     all.ofItself()
         .forEach(
             (place, byMember) -> {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.maestro.ontology.vocabulary.Price;
 import org.maestro.planning.BobsHome;
@@ -85,6 +86,9 @@ class OffersTest {
   }
 
   private static List<Integer> numbers(Offers offers, String name, String... arguments) {
-    return offers.changing(name, List.of(arguments).stream().<Term>map(Term.Name::new).toList());
+    return offers.changing(
+        name,
+        List.of(arguments).stream().<Term>map(Term.Name::new).toList(),
+        UnaryOperator.identity());
   }
 }
