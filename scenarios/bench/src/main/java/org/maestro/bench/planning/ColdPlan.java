@@ -11,8 +11,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * One plan for a home in a process of its own, as a person has it who asks {@code ./maestro plan}:
- * the home is loaded and checked in it too.
+ * One plan for a home in a process of its own, as a person has it who asks {@code ./maestro plan}
+ * not for the first time: the home is loaded and checked in it too, and Java takes the classes from
+ * an archive, where it can have one.
  *
  * @param seconds from the start of the process to its end
  * @param mebibytes the most memory that the process has had; 0 where the system does not tell
@@ -27,13 +28,26 @@ record ColdPlan(double seconds, double mebibytes, int exitCode) {
     return exitCode == 0;
   }
 
-  static ColdPlan of(Path home, String goal, Duration limit) {
+  /**
+   * @param archive what {@link #leaveClasses} has left
+   */
+  static ColdPlan of(Path home, String goal, Duration limit, Path archive) {
+    return of(home, goal, limit, "-XX:SharedArchiveFile=" + archive);
+  }
+
+  /** Plans once, and has the classes left that it takes. */
+  static void leaveClasses(Path home, String goal, Duration limit, Path archive) {
+    of(home, goal, limit, "-XX:ArchiveClassesAtExit=" + archive);
+  }
+
+  private static ColdPlan of(Path home, String goal, Duration limit, String classes) {
     List<String> command =
         List.of(
             Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=4",
             "-Xshare:auto",
+            classes,
             "-Djava.awt.headless=true",
             "-cp",
             System.getProperty("java.class.path"),
