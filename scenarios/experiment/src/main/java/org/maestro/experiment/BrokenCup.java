@@ -28,7 +28,7 @@ final class BrokenCup implements Experiment {
    * error. The only robot with a battery cannot charge it, whatever it tells of it.
    */
   private static final String[] IDLE = {
-    "world.scanner.",
+    "world.scanner.range",
     "world.shutters",
     "world.camera.",
     "world.colour.",

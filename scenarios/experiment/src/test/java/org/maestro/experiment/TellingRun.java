@@ -28,6 +28,9 @@ record TellingRun(
   /** At this hour and with these clouds the sun comes out right before the goal. */
   private static final long SEED_OF_CLOUDS = 300_012;
 
+  /** What a base without slip never needs. */
+  private static final Map<String, String> WHEELS_SLIP = given("world.wheels.slip=0.1");
+
   private static final Map<String, String> SUN_COMES_OUT = given("world.sun.start=11.8333");
 
   /** Which run of an experiment. */
@@ -52,6 +55,7 @@ record TellingRun(
           Map.entry("broken-cup world.arm.placingError", "3"),
           Map.entry("world.base.radius", "0.36"),
           Map.entry("world.scanner.range", "0.3"),
+          Map.entry("world.wheels.nearMetres", "0.1"),
           Map.entry("world.gripper.bagDiameter", "0.02"),
           Map.entry("world.gripper.vacuum", "0.5"),
           Map.entry("world.gripper.pinch", "0.0005"),
@@ -103,7 +107,6 @@ record TellingRun(
           Map.entry("move-object world.camera.washedOutSlopeLux", SUN_AS_IN_THE_PAPER),
           Map.entry("move-object world.colour.saturationLux", SUN_AS_IN_THE_PAPER),
           Map.entry("move-object world.colour.tolerance", SUN_AS_IN_THE_PAPER),
-          Map.entry("move-object world.base.checkSeconds", given("world.wheels.slip=0.1")),
           Map.entry("move-object world.lamp.transitionSeconds", NIGHT),
           Map.entry("move-object world.sensor.leastLux", NIGHT),
           Map.entry("move-object world.sensor.noise", NIGHT),
@@ -114,7 +117,6 @@ record TellingRun(
           Map.entry(
               "illumination world.colour.saturationLux",
               given("world.dusk=2250 world.colour.tolerance=1")),
-          Map.entry("join-leave world.base.checkSeconds", given("world.wheels.slip=0.1")),
           Map.entry("join-leave world.battery.idleWatts", given("world.battery.wattHours=0.2")),
           Map.entry("join-leave world.battery.checkSeconds", given("world.battery.wattHours=0.15")),
           Map.entry("join-leave world.battery.worthTelling", given("world.battery.wattHours=0.2")),
@@ -141,6 +143,10 @@ record TellingRun(
         new TreeMap<>(GIVEN.getOrDefault(experiment + " " + name, Map.of()));
     if (kind(name) == Kind.SUN_COMES_OUT) {
       given.putAll(SUN_COMES_OUT);
+    }
+    if (name.startsWith("world.scanner.match")
+        || name.startsWith("world.wheels.") && !WHEELS_SLIP.containsKey(name)) {
+      given.putAll(WHEELS_SLIP);
     }
     return new TellingRun(experiment, kind(name), given, name, usual(experiment, name));
   }

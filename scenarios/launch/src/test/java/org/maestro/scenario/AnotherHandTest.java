@@ -34,7 +34,7 @@ class AnotherHandTest {
             Map.of(
                 "\"0.08 0.08 0.1\"",
                 SAUCER,
-                "home:tim a :MobileRobot ;",
+                "home:tim a :MobileRobot ; maestro:driver \"mecanum-robot\" ;",
                 "home:tim a :MobileRobot ; maestro:driver \"mobile-robot-with-fingers\" ;"))) {
       Ending ending = site.pursue("(nextTo Cup Bob)", Duration.ofMinutes(10));
 

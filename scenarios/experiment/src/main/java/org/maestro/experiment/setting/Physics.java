@@ -22,26 +22,23 @@ public final class Physics {
   private static final Set<String> WITHOUT_UNIT = Set.of("1", "true or false");
 
   /**
-   * Of hardware that no home of the papers' experiments has: wheels of their own and cameras on
-   * robots, driven doors, lamps behind switches, sensors of persons, charging stations,
-   * thermometers and the rooms' warmth, ears and faces; nor do persons walk there. And the shades
-   * of white, of which light and detection do not depend and for which no goal of an experiment
-   * asks. What exploration alone has it names itself.
+   * Of hardware that no home of the papers' experiments has: cameras on robots, bases without
+   * wheels of their own and those that turn on the spot before they drive, driven doors, lamps
+   * behind switches, sensors of persons, charging stations, thermometers and the rooms' warmth,
+   * ears and faces; nor do persons walk there. The wheels' radius, of which no way depends. And the
+   * shades of white, of which light and detection do not depend and for which no goal of an
+   * experiment asks. What exploration alone has it names itself.
    */
   private static final List<String> ABSENT =
       List.of(
           "world.turn.",
           "world.presence.",
-          "world.scanner.match",
           "world.scanner.memorySeconds",
           "world.recognition.",
           "world.phone.",
+          "world.base.checkSeconds",
           "world.wheels.wheelRadius",
-          "world.wheels.halfLength",
-          "world.wheels.halfWidth",
           "world.wheels.turnSpeed",
-          "world.wheels.controlSeconds",
-          "world.wheels.nearMetres",
           "world.wheels.aimRadians",
           "world.drives.doorSeconds",
           "world.drives.relaySeconds",
