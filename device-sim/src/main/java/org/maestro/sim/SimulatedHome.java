@@ -312,7 +312,8 @@ public final class SimulatedHome implements AutoCloseable {
     return setup.parameters().shutters() || drivers.find(ShutterDrive.class).isEmpty();
   }
 
-  static List<Device> inDeclaredOrder(Home home) {
+  /** The devices of a home, as it orders them. */
+  public static List<Device> inDeclaredOrder(Home home) {
     return home.devices().values().stream()
         .sorted(
             Comparator.comparingDouble(

@@ -16,21 +16,21 @@ import org.maestro.hal.GripperArm;
 import org.maestro.hal.JammingGripper;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
+import org.maestro.hal.sight.Size;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.protocol.Outcome;
 import org.maestro.rats.protocol.Result;
 import org.maestro.sim.parameters.GripperData;
-import org.maestro.sim.world.Looks;
 import org.maestro.sim.world.Wrap;
 import org.maestro.sl.Term;
 
 class JammingGripperTest {
 
-  private static final Looks.Size CUBE = new Looks.Size(0.06, 0.06, 0.06);
+  private static final Size CUBE = new Size(0.06, 0.06, 0.06);
 
   private static Wrap wrap(double length, double width, double height) {
-    return new Wrap(GripperData.USUAL, new Looks.Size(length, width, height));
+    return new Wrap(GripperData.USUAL, new Size(length, width, height));
   }
 
   /**

@@ -70,7 +70,7 @@ class PhotoTest {
 
   @Test
   void isDarkInLittleLightAndWhiteInTooMuch() {
-    try (Homes dark = arena(17, 1);
+    try (Homes dark = arena(4, 1);
         Homes fit = arena(150, 1);
         Homes glaring = arena(20_000, 1)) {
       int floorInTheDark = green(at(dark.simulated.photo("cam-1"), 2.2, 1.2));

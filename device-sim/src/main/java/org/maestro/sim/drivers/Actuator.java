@@ -54,6 +54,11 @@ public final class Actuator {
     return random.nextDouble() < probability;
   }
 
+  /** Of any value alike. */
+  long number() {
+    return random.nextLong();
+  }
+
   /**
    * A command: told to the world, then its effect after the time it takes, unless the device dies
    * or is defect.

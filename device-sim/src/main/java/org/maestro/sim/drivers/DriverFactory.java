@@ -2,10 +2,12 @@ package org.maestro.sim.drivers;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import org.maestro.device.navigation.SeenFloor;
@@ -41,6 +43,8 @@ import org.maestro.hal.SwitchedLamp;
 import org.maestro.hal.Thermometer;
 import org.maestro.hal.Transmitter;
 import org.maestro.hal.WallClock;
+import org.maestro.hal.sight.Detector;
+import org.maestro.hal.sight.Recollection;
 import org.maestro.ontology.floor.Glass;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
@@ -76,6 +80,12 @@ public final class DriverFactory {
   private static final double FULL_STRENGTH = 1;
   private static final double FULL_CHARGE = 1;
   private static final double SECONDS_PER_HOUR = 3600;
+  private static final String CAMERA = "camera";
+  private static final String TRUSTING_CAMERA = "trusting-camera";
+
+  /** Keys of cameras that hang in one place. */
+  public static final Set<String> FIXED_CAMERAS = Set.of(CAMERA, TRUSTING_CAMERA);
+
   private static final String LOCKED = "locked";
   private static final String TARGET = "target";
 
@@ -87,6 +97,7 @@ public final class DriverFactory {
   private final Set<String> robots = new TreeSet<>();
   private final SortedSet<String> persons;
   private final Photographer photographer;
+  private final Recollection recollection;
   private final FacePages pages;
 
   /**
@@ -109,6 +120,18 @@ public final class DriverFactory {
     this.persons = new TreeSet<>(persons);
     this.pages = pages;
     this.photographer = new Photographer(world, robots, parameters);
+    this.recollection = new Recollection(inTheOpen(world));
+  }
+
+  /** What somebody has shown to the cameras when they were set up; assumed. */
+  private static Map<String, Position> inTheOpen(World world) {
+    Map<String, Position> shown = new TreeMap<>();
+    for (String name : world.bodies()) {
+      if (world.whereabouts().body(name).isInTheOpen()) {
+        world.position(name).ifPresent(place -> shown.put(name, place));
+      }
+    }
+    return shown;
   }
 
   /**
@@ -132,9 +155,8 @@ public final class DriverFactory {
                   new SwitchedLamp(
                       new SimulatedSwitch(actuator, parameters.drives()),
                       parameters.lamp().whiteKelvin()));
-      case "camera" -> ceilingCamera(device, actuator, parameters.camera(), seed);
-      case "trusting-camera" ->
-          ceilingCamera(device, actuator, parameters.camera().trusting(), seed);
+      case CAMERA -> ceilingCamera(device, actuator, parameters.camera(), seed);
+      case TRUSTING_CAMERA -> ceilingCamera(device, actuator, parameters.camera().trusting(), seed);
       case "light-sensor" ->
           Drivers.none().with(IlluminationSensor.class, fixedSensor(device, actuator));
       case "tsl2561" ->
@@ -259,13 +281,39 @@ public final class DriverFactory {
         FloorMap.pair(device.individual(), "resolution")
             .map(pixels -> new Photographer.Resolution((int) pixels.x(), (int) pixels.y()))
             .orElse(new Photographer.Resolution(data.width(), data.height()));
+    CameraData rated = data.atRate(frameRate);
     return new SimulatedCamera(
         actuator,
-        new Likeness(data.atRate(frameRate), parameters.colour()),
+        rated,
         eye,
+        light ->
+            rated.fromPixels()
+                ? inPictures(actuator, rated, eye, resolution)
+                : new ModelledDetection(
+                    actuator, new Likeness(rated, parameters.colour()), eye, light),
         (now, widest) ->
             photographer.take(
                 eye.views().get().get(0), eye.viewDegrees(), resolution.within(widest), seed, now));
+  }
+
+  private Detection inPictures(
+      Actuator actuator, CameraData data, Eye eye, Photographer.Resolution resolution) {
+    return new PictureDetection(
+        actuator,
+        eye,
+        new Detector(parameters.colour().tolerance(), !data.noticesGlare()),
+        new PictureDetection.Darkroom(
+            pose ->
+                Photographer.lens(
+                    pose, eye.viewDegrees(), resolution.within(data.detectionWidth())),
+            lens -> photographer.light(lens, name -> isToBeSeen(actuator.device(), name))),
+        world.looks().known(),
+        recollection);
+  }
+
+  /** What is in a hand is covered by it, and no camera looks at what carries it. */
+  private boolean isToBeSeen(String camera, String body) {
+    return !body.equals(camera) && world.holder(body).isEmpty();
   }
 
   private Drivers appliance(Device device, Actuator actuator) {

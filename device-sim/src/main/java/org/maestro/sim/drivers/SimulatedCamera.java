@@ -4,31 +4,29 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.maestro.hal.Camera;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.ontology.floor.FloorPlan;
 import org.maestro.ontology.floor.Point2;
+import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.scene.WorldEvent;
-import org.maestro.sim.world.Body;
 import org.maestro.sim.world.Likeness;
-import org.maestro.sim.world.World;
 
 /**
- * A camera with colour-based detection: what is in view and in what light decides. What is in a
- * cupboard or in a gripper is hidden (assumed). It reports what it believes to see, which may be
- * another thing where something is over-lit ({@link Likeness}). It measures the light where it
- * looks from its images.
+ * A camera with colour-based detection ({@link Detection}). What is in a cupboard or in a gripper
+ * is hidden (assumed). It measures the light where it looks from its images.
  */
 public final class SimulatedCamera implements Camera {
 
   private final Actuator actuator;
   private final CameraData data;
-  private final Likeness likeness;
   private final Eye eye;
   private final ViewLight light;
+  private final Detection detection;
   private final Shutter shutter;
 
   /** Takes the picture of a moment. */
@@ -39,12 +37,30 @@ public final class SimulatedCamera implements Camera {
     Photo take(Duration now, int widest);
   }
 
+  /** One that finds things by chances. */
   public SimulatedCamera(Actuator actuator, Likeness likeness, Eye eye, Shutter shutter) {
+    this(
+        actuator,
+        likeness.camera(),
+        eye,
+        light -> new ModelledDetection(actuator, likeness, eye, light),
+        shutter);
+  }
+
+  /**
+   * @param detection by the light in what it has in view
+   */
+  SimulatedCamera(
+      Actuator actuator,
+      CameraData data,
+      Eye eye,
+      Function<ViewLight, Detection> detection,
+      Shutter shutter) {
     this.actuator = actuator;
-    this.data = likeness.camera();
-    this.likeness = likeness;
+    this.data = data;
     this.eye = eye;
     this.light = new ViewLight(actuator.world(), eye);
+    this.detection = detection.apply(light);
     this.shutter = shutter;
   }
 
@@ -54,7 +70,16 @@ public final class SimulatedCamera implements Camera {
         WorldEvent.Kind.LOOK,
         eye.turnSeconds() + eye.views().get().size() * frames / data.frameRate(),
         listener::failed,
-        () -> listener.looked(asBroken(develop(target, frames))));
+        () -> tell(detection.of(target, frames), frames, listener));
+  }
+
+  private void tell(Detection.Seen seen, int frames, Listener listener) {
+    Optional<String> doubt = seen.doubt();
+    if (doubt.isPresent()) {
+      listener.failed(doubt.get());
+    } else {
+      listener.looked(asBroken(develop(seen, frames)));
+    }
   }
 
   @Override
@@ -92,85 +117,18 @@ public final class SimulatedCamera implements Camera {
     };
   }
 
-  /** Something in view that may be taken for the wanted thing. */
-  private record Candidate(Position place, double chance) {}
-
-  private Look develop(Target target, int frames) {
-    World world = actuator.world();
-    Optional<Position> place =
-        world
-            .whereabouts()
-            .find(target.name())
-            .filter(Body::isInTheOpen)
-            .flatMap(body -> world.position(body.name()))
-            .filter(this::sees);
-    double lux = place.map(world::lux).orElse(0.0);
-    double shown = place.isPresent() ? data.detectability(lux) : 0;
-    Optional<Candidate> other = mostAlike(target.name(), lux);
-    int detections = 0;
-    int mistakes = 0;
-    for (int frame = 0; frame < frames; frame++) {
-      if (actuator.happens(shown)) {
-        detections++;
-      } else if (other.isPresent() && actuator.happens(other.get().chance())) {
-        mistakes++;
-      }
-    }
-    Optional<Position> believed = mistakes > detections ? other.map(Candidate::place) : place;
-    int agreeing = Math.max(detections, mistakes);
-    return new Look(
-        frames,
-        agreeing,
-        agreeing > 0 ? believed.map(this::measured) : Optional.empty(),
-        estimated(light.covered()),
-        noticed());
+  private Look develop(Detection.Seen seen, int frames) {
+    return new Look(frames, seen.detections(), seen.place(), estimated(light.covered()), noticed());
   }
 
   private List<AreaLight> noticed() {
-    List<AreaLight> areas = data.noticesGlare() ? glaring() : List.of();
+    List<AreaLight> areas = data.noticesGlare() ? light.brighterThan(data.maximumLux()) : List.of();
     return areas.isEmpty() ? areas : estimated(areas);
   }
 
-  private List<AreaLight> glaring() {
-    return light.all().stream().filter(area -> area.brightestLux() > data.maximumLux()).toList();
-  }
-
-  private Optional<Candidate> mostAlike(String wanted, double wantedLux) {
-    if (data.glare(wantedLux) < Likeness.NEVER && glaring().isEmpty()) {
-      return Optional.empty();
-    }
-    World world = actuator.world();
-    Optional<Candidate> best = Optional.empty();
-    for (String name : world.bodies()) {
-      Optional<Position> place =
-          world
-              .whereabouts()
-              .find(name)
-              .filter(body -> !name.equals(wanted) && body.isInTheOpen())
-              .flatMap(body -> world.position(name))
-              .filter(this::sees);
-      if (place.isPresent()) {
-        double chance =
-            likeness.mistaken(
-                world.looks().paint(wanted),
-                wantedLux,
-                world.looks().paint(name),
-                world.lux(place.get()));
-        Candidate candidate = new Candidate(place.get(), chance);
-        if (chance > Likeness.NEVER
-            && best.map(other -> isMoreAlike(candidate, other)).orElse(true)) {
-          best = Optional.of(candidate);
-        }
-      }
-    }
-    return best;
-  }
-
-  /** Of two of the same colour the nearer one is the larger in the image. */
-  private boolean isMoreAlike(Candidate first, Candidate second) {
-    return first.chance() > second.chance()
-        || first.chance() == second.chance()
-            && eye.distance(first.place()) < eye.distance(second.place());
+  /** From where it looks now, or begins to look around. */
+  public Pose pose() {
+    return eye.views().get().get(0);
   }
 
   /** Whether a point is in the cone of view and not behind a wall. */
@@ -185,13 +143,6 @@ public final class SimulatedCamera implements Camera {
     FloorPlan plan = actuator.world().building().plan();
     long seen = samples.stream().filter(p -> eye.sees(Position.onFloor(p), from, plan)).count();
     return samples.isEmpty() ? 0 : (double) seen / samples.size();
-  }
-
-  private Position measured(Position truth) {
-    double error = data.noise() * eye.distance(truth);
-    Point2 seen = actuator.world().faults().astray(actuator.device()).from(truth.floor());
-    return new Position(
-        seen.x() + actuator.error(error), seen.y() + actuator.error(error), truth.z());
   }
 
   private List<AreaLight> estimated(List<AreaLight> truth) {

@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.Optional;
 import org.maestro.hal.Completion;
 import org.maestro.hal.Hand;
+import org.maestro.hal.sight.Size;
 import org.maestro.sim.world.Body;
-import org.maestro.sim.world.Looks;
 
 /** Two fingers that close from both sides, in place of a jamming gripper. */
 final class SimulatedFingers implements Hand {
@@ -44,7 +44,7 @@ final class SimulatedFingers implements Hand {
   }
 
   private Optional<String> failing(Body thing) {
-    Looks.Size size = actuator.world().looks().size(thing.name());
+    Size size = actuator.world().looks().size(thing.name());
     return Math.min(size.length(), size.width()) > opening
         ? Optional.of(
             String.format(

@@ -63,8 +63,13 @@ final class ViewLight {
   }
 
   /** In all areas of which something is in view. */
-  List<AreaLight> all() {
+  private List<AreaLight> all() {
     return current().stream().map(Seen::light).toList();
+  }
+
+  /** Those of all areas in view of which a part in view is brighter than that. */
+  List<AreaLight> brighterThan(double lux) {
+    return all().stream().filter(area -> area.brightestLux() > lux).toList();
   }
 
   private List<Seen> current() {

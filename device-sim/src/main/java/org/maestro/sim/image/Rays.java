@@ -1,13 +1,15 @@
 package org.maestro.sim.image;
 
 import java.util.List;
+import org.maestro.hal.sight.Paint;
+import org.maestro.hal.sight.Vector;
 
 /** Finds what a ray meets first, and the light that it throws back. For one picture. */
 final class Rays {
 
-  private static final Colour FLOOR = new Colour(0.42, 0.40, 0.37);
-  private static final Colour WALL = new Colour(0.72, 0.71, 0.68);
-  private static final Colour OUTSIDE = new Colour(0.03, 0.03, 0.03);
+  private static final Paint FLOOR = new Paint(0.42, 0.40, 0.37);
+  private static final Paint WALL = new Paint(0.72, 0.71, 0.68);
+  private static final Paint OUTSIDE = new Paint(0.03, 0.03, 0.03);
 
   /** Shares of the light upon a horizontal surface that fall upon upright ones; assumed. */
   private static final double UPON_SIDES = 0.5;
@@ -25,7 +27,7 @@ final class Rays {
   private final Vector from;
 
   private double best;
-  private Colour colour = OUTSIDE;
+  private Paint colour = OUTSIDE;
   private double lux;
 
   Rays(Stage stage, Vector from) {
@@ -34,7 +36,7 @@ final class Rays {
   }
 
   /** Share thrown back times lux, for each colour. */
-  Colour light(Vector direction) {
+  Paint light(Vector direction) {
     best = Double.POSITIVE_INFINITY;
     colour = OUTSIDE;
     lux = 0;
@@ -50,7 +52,7 @@ final class Rays {
     return colour.times(lux);
   }
 
-  private void meet(double way, Colour surface, double light) {
+  private void meet(double way, Paint surface, double light) {
     best = way;
     colour = surface;
     lux = light;

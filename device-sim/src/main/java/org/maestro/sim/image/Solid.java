@@ -1,5 +1,7 @@
 package org.maestro.sim.image;
 
+import org.maestro.hal.sight.Paint;
+
 /**
  * A body in the picture, standing upright.
  *
@@ -19,7 +21,7 @@ public record Solid(
     double halfLength,
     double halfWidth,
     double heading,
-    Colour colour,
+    Paint colour,
     double lux) {
 
   /** The shape of a solid. */

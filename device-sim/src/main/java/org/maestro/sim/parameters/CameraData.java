@@ -54,10 +54,25 @@ public record CameraData(
                 "whether its software says nothing of images in which something is over-lit; the paper's (5.2) did not: another thing was taken for the wanted one",
             unit = "true or false",
             source = "assumed that it does")
-        boolean noticesGlare) {
+        boolean noticesGlare,
+    @Quantity(
+            meaning =
+                "whether it finds things in the pictures that it takes, and not by the chances above: slow",
+            unit = "true or false",
+            source = "a condition, not a measure")
+        boolean fromPixels,
+    @Quantity(
+            meaning = "width of the pictures in which it then finds them",
+            unit = "pixels",
+            source = "assumed: a third of 1080p")
+        int detectionWidth) {
   public static final CameraData LIFECAM =
-      new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true);
-  private static final double WASHED_OUT_HALF = 1.1;
+      new CameraData(30, 1920, 1080, 72, 2000, 69, 0.75, 20, 0.01, 0.005, true, false, 640);
+
+  /**
+   * Light in which half of the frames show a washed-out colour, by the light above which it does.
+   */
+  public static final double WASHED_OUT_HALF = 1.1;
 
   /** A camera that needs no light of the room has a light of its own. */
   private static final double LEAST_LUX = 0.01;
@@ -66,6 +81,7 @@ public record CameraData(
     PhysicalParameters.positive("camera.frameRate", frameRate);
     PhysicalParameters.positive("camera.width", width);
     PhysicalParameters.positive("camera.height", height);
+    PhysicalParameters.positive("camera.detectionWidth", detectionWidth);
     PhysicalParameters.positive("camera.slopeLux", slopeLux);
     PhysicalParameters.positive("camera.washedOutSlopeLux", washedOutSlopeLux);
   }
@@ -82,7 +98,9 @@ public record CameraData(
         washedOutSlopeLux,
         noise,
         lightError,
-        noticesGlare);
+        noticesGlare,
+        fromPixels,
+        detectionWidth);
   }
 
   /**
@@ -104,7 +122,9 @@ public record CameraData(
         washedOutSlopeLux,
         noise,
         lightError,
-        noticesGlare);
+        noticesGlare,
+        fromPixels,
+        detectionWidth);
   }
 
   /** One whose software takes images in which something is over-lit as it takes all others. */
@@ -120,7 +140,9 @@ public record CameraData(
         washedOutSlopeLux,
         noise,
         lightError,
-        false);
+        false,
+        fromPixels,
+        detectionWidth);
   }
 
   /**
@@ -141,7 +163,9 @@ public record CameraData(
         washedOutSlopeLux,
         position,
         light,
-        noticesGlare);
+        noticesGlare,
+        fromPixels,
+        detectionWidth);
   }
 
   /** The chance that one frame shows a visible object in so much light in its colour. */

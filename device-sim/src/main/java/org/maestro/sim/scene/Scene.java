@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.maestro.hal.Position;
+import org.maestro.hal.sight.Paint;
 
 /**
  * The ground truth with which a simulation begins, by local names of the home. The knowledge base

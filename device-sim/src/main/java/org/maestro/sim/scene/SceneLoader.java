@@ -16,6 +16,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.maestro.hal.Position;
+import org.maestro.hal.sight.Paint;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.validation.Fault;

@@ -1,8 +1,8 @@
 package org.maestro.sim.world;
 
+import org.maestro.hal.sight.Paint;
 import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.parameters.ColourData;
-import org.maestro.sim.scene.Paint;
 
 /**
  * False matches of detection by colour: one thing taken for another (paper 5.2). In the light that

@@ -6,9 +6,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.maestro.hal.sight.Appearance;
+import org.maestro.hal.sight.Paint;
+import org.maestro.hal.sight.Size;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.Individual;
-import org.maestro.sim.scene.Paint;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sl.Term;
 
@@ -25,10 +27,7 @@ public final class Looks {
   private final Map<String, Paint> paints;
   private final Map<String, Size> sizes;
 
-  /** Length, width and height; metres. */
-  public record Size(double length, double width, double height) {}
-
-  Looks(Home home, Scene scene) {
+  public Looks(Home home, Scene scene) {
     Map<String, Paint> colours = new TreeMap<>();
     Map<String, Size> measures = new TreeMap<>();
     home.individuals()
@@ -52,31 +51,19 @@ public final class Looks {
     return sizes.getOrDefault(name, USUAL);
   }
 
+  /** How all look of which somebody states a colour. */
+  public Map<String, Appearance> known() {
+    Map<String, Appearance> known = new TreeMap<>();
+    paints.forEach((name, paint) -> known.put(name, new Appearance(paint, size(name))));
+    return known;
+  }
+
   private static Optional<Paint> colour(Individual individual) {
     return texts(individual).stream().flatMap(text -> Paint.parse(text).stream()).findFirst();
   }
 
   private static Optional<Size> size(Individual individual) {
-    return texts(individual).stream().flatMap(text -> lengths(text).stream()).findFirst();
-  }
-
-  private static Optional<Size> lengths(String text) {
-    String[] words = text.strip().split("\\s+");
-    if (words.length != 3) {
-      return Optional.empty();
-    }
-    try {
-      Size size =
-          new Size(
-              Double.parseDouble(words[0]),
-              Double.parseDouble(words[1]),
-              Double.parseDouble(words[2]));
-      return size.length() > 0 && size.width() > 0 && size.height() > 0
-          ? Optional.of(size)
-          : Optional.empty();
-    } catch (NumberFormatException e) {
-      return Optional.empty();
-    }
+    return texts(individual).stream().flatMap(text -> Size.parse(text).stream()).findFirst();
   }
 
   private static List<String> texts(Individual individual) {

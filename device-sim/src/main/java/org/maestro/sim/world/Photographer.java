@@ -4,14 +4,16 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
+import org.maestro.hal.sight.Lens;
+import org.maestro.hal.sight.Paint;
+import org.maestro.hal.sight.Size;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.floor.Segment;
-import org.maestro.sim.image.Colour;
 import org.maestro.sim.image.Exposure;
-import org.maestro.sim.image.Lens;
 import org.maestro.sim.image.LitFloor;
 import org.maestro.sim.image.Picture;
 import org.maestro.sim.image.Solid;
@@ -19,7 +21,6 @@ import org.maestro.sim.image.Solid.Shape;
 import org.maestro.sim.image.Stage;
 import org.maestro.sim.image.Wall;
 import org.maestro.sim.parameters.PhysicalParameters;
-import org.maestro.sim.scene.Paint;
 
 /**
  * Takes pictures of the world as it is at a moment, in the light that falls upon each point. Things
@@ -29,8 +30,8 @@ import org.maestro.sim.scene.Paint;
 public final class Photographer {
 
   private static final double WALL_METRES = 2.5;
-  private static final Colour SKIN = new Colour(0.62, 0.42, 0.32);
-  private static final Colour METAL = new Colour(0.14, 0.14, 0.15);
+  private static final Paint SKIN = new Paint(0.62, 0.42, 0.32);
+  private static final Paint METAL = new Paint(0.14, 0.14, 0.15);
   private static final double HEAD_METRES = 0.11;
   private static final double MAST_METRES = 0.05;
 
@@ -73,28 +74,42 @@ public final class Photographer {
    * @param seed of the camera's noise; the same at the same moment gives the same picture
    */
   public Photo take(Pose pose, double viewDegrees, Resolution resolution, long seed, Duration now) {
+    return light(lens(pose, viewDegrees, resolution), name -> true)
+        .taken(31 * seed + now.toNanos());
+  }
+
+  public static Lens lens(Pose pose, double viewDegrees, Resolution resolution) {
+    return new Lens(pose, viewDegrees, resolution.width(), resolution.height());
+  }
+
+  /**
+   * The light in which pictures are taken now.
+   *
+   * @param shown of the bodies in the open or in a hand, those that are in it
+   */
+  public Picture light(Lens lens, Predicate<String> shown) {
     List<Solid> solids = new ArrayList<>();
     for (String name : world.bodies()) {
-      if (!world.isHidden(name)) {
+      if (!world.isHidden(name) && shown.test(name)) {
         addSolids(solids, name);
       }
     }
-    Stage stage = new Stage(floor(solids, gridMetres(resolution)), walls(), solids);
+    Stage stage = new Stage(floor(solids, gridMetres(lens.width())), walls(), solids);
     return Picture.of(
         stage,
-        new Lens(pose, viewDegrees, resolution.width(), resolution.height()),
+        lens,
         new Exposure(
             parameters.camera().maximumLux(),
             parameters.image().longestLux(),
+            parameters.image().mostGain(),
             parameters.image().readNoise(),
-            parameters.image().shotNoise()),
-        31 * seed + now.toNanos());
+            parameters.image().shotNoise()));
   }
 
   private void addSolids(List<Solid> solids, String name) {
     Position foot = world.position(name).orElseThrow();
-    Looks.Size size = world.looks().size(name);
-    Colour colour = colour(world.looks().paint(name));
+    Size size = world.looks().size(name);
+    Paint colour = world.looks().paint(name);
     double heading = world.whereabouts().heading(name);
     if (robots.contains(name)) {
       solids.add(solid(Shape.BOX, foot, 0, PLATFORM_METRES, size, heading, colour));
@@ -118,9 +133,9 @@ public final class Photographer {
       Position foot,
       double bottom,
       double top,
-      Looks.Size size,
+      Size size,
       double heading,
-      Colour colour) {
+      Paint colour) {
     double lux = world.lux(new Position(foot.x(), foot.y(), top));
     return new Solid(
         shape,
@@ -136,12 +151,8 @@ public final class Photographer {
   }
 
   private Solid round(
-      Shape shape, Position foot, double bottom, double top, double radius, Colour colour) {
-    return solid(shape, foot, bottom, top, new Looks.Size(2 * radius, 2 * radius, top), 0, colour);
-  }
-
-  private static Colour colour(Paint paint) {
-    return new Colour(paint.red(), paint.green(), paint.blue());
+      Shape shape, Position foot, double bottom, double top, double radius, Paint colour) {
+    return solid(shape, foot, bottom, top, new Size(2 * radius, 2 * radius, top), 0, colour);
   }
 
   private List<Wall> walls() {
@@ -156,9 +167,9 @@ public final class Photographer {
   /**
    * A pixel of a small picture covers more of the floor, and there may be many of them a second.
    */
-  private double gridMetres(Resolution resolution) {
+  private double gridMetres(int width) {
     double fine = parameters.image().gridMetres();
-    return resolution.width() <= SMALL_PIXELS ? COARSER * fine : fine;
+    return width <= SMALL_PIXELS ? COARSER * fine : fine;
   }
 
   private LitFloor floor(List<Solid> solids, double gridMetres) {

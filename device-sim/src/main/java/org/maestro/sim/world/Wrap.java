@@ -2,6 +2,7 @@ package org.maestro.sim.world;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.maestro.hal.sight.Size;
 import org.maestro.sim.parameters.GripperData;
 
 /**
@@ -11,7 +12,7 @@ import org.maestro.sim.parameters.GripperData;
  * suction and interlocking (Brown et al. 2010), and the other two sides, would add to it and are
  * not counted.
  */
-public record Wrap(GripperData bag, Looks.Size size) {
+public record Wrap(GripperData bag, Size size) {
 
   private static final double NEWTONS_PER_KILOGRAM = 9.81;
   private static final double PASCALS_PER_KILOPASCAL = 1000;

@@ -28,6 +28,7 @@ import org.maestro.rats.time.Clock;
 import org.maestro.rats.time.SteppedClock;
 import org.maestro.rats.transport.InProcessBus;
 import org.maestro.sim.SimulatedHome;
+import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.world.World;
 import org.maestro.sl.Formula;
@@ -60,7 +61,12 @@ public final class AgentlessSite implements AutoCloseable {
   private final Coordinator coordinator;
 
   private AgentlessSite(
-      Home home, Scene scene, long seed, SteppedClock clock, Function<Clock, Journal> journals) {
+      Home home,
+      Scene scene,
+      long seed,
+      PhysicalParameters physics,
+      SteppedClock clock,
+      Function<Clock, Journal> journals) {
     this.clock = clock;
     whole = new FreezableClock(clock, seed);
     main = new FreezableClock(whole, seed);
@@ -77,6 +83,7 @@ public final class AgentlessSite implements AutoCloseable {
                         bus::client,
                         SITE,
                         new DescriptionWriter(home)::write)
+                    .with(physics)
                     .on(bus)));
     BusLink link =
         parts.opened(BusLink.connect(CONTROLLER, SITE, bus.client(CONTROLLER, main), main));
@@ -106,22 +113,28 @@ public final class AgentlessSite implements AutoCloseable {
    * @throws SiteException when devices stay away
    */
   public static AgentlessSite start(Home home, Scene scene, long seed) {
-    return start(home, scene, seed, clock -> Journal.none());
+    return start(home, scene, seed, new SteppedClock());
   }
 
   /** The same on a clock of one's own, such as a shuffled one, that nobody has used yet. */
   public static AgentlessSite start(Home home, Scene scene, long seed, SteppedClock clock) {
-    return opened(new AgentlessSite(home, scene, seed, clock, main -> Journal.none()));
+    return opened(
+        new AgentlessSite(
+            home, scene, seed, PhysicalParameters.standard(), clock, main -> Journal.none()));
   }
 
   /**
-   * The same with a journal, which its maker closes.
+   * The same in a world of one's own with a journal, which its maker closes.
    *
    * @param journals makes it, on the clock of the heart's process
    */
   public static AgentlessSite start(
-      Home home, Scene scene, long seed, Function<Clock, Journal> journals) {
-    return opened(new AgentlessSite(home, scene, seed, new SteppedClock(), journals));
+      Home home,
+      Scene scene,
+      long seed,
+      PhysicalParameters physics,
+      Function<Clock, Journal> journals) {
+    return opened(new AgentlessSite(home, scene, seed, physics, new SteppedClock(), journals));
   }
 
   private static AgentlessSite opened(AgentlessSite site) {

@@ -2,7 +2,7 @@ package org.maestro.picture;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import org.maestro.sim.scene.Paint;
+import org.maestro.hal.sight.Paint;
 
 /**
  * Colours that colour-blind people can tell apart (Okabe and Ito); every meaning has a shape of its

@@ -1,5 +1,7 @@
-package org.maestro.sim.image;
+package org.maestro.hal.sight;
 
+import java.util.Optional;
+import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Pose;
 
 /**
@@ -47,22 +49,67 @@ public final class Lens {
     return new Vector(0, 0, 0).plus(first, Math.cos(angle)).plus(second, Math.sin(angle));
   }
 
-  Vector place() {
+  public Vector place() {
     return place;
   }
 
-  int width() {
+  public int width() {
     return width;
   }
 
-  int height() {
+  public int height() {
     return height;
   }
 
-  /** Not of length one. */
-  Vector direction(int column, int row) {
+  /**
+   * The direction in which a pixel looks; not of length one.
+   *
+   * @param column from the left, the middle of the first one is 0
+   * @param row from above
+   */
+  public Vector direction(double column, double row) {
     double x = (column + 0.5 - width / 2.0) * scale;
     double y = (height / 2.0 - row - 0.5) * scale;
     return ahead.plus(right, x).plus(up, y);
+  }
+
+  /** Where a pixel's direction meets a level so high above the floor; empty when it never does. */
+  Optional<Position> at(double column, double row, double height) {
+    Vector direction = direction(column, row);
+    double way = (height - place.z()) / direction.z();
+    return way > 0 && Double.isFinite(way)
+        ? Optional.of(
+            new Position(place.x() + way * direction.x(), place.y() + way * direction.y(), height))
+        : Optional.empty();
+  }
+
+  /**
+   * The pixels on which an area is shown, which may lie beyond the picture's edge.
+   *
+   * @param squareMetres as seen from here
+   * @param towards from here to its middle
+   */
+  double pixels(double squareMetres, Vector towards) {
+    double deep = towards.dot(ahead);
+    return deep <= 0 ? 0 : squareMetres * towards.length() / (deep * deep * deep * scale * scale);
+  }
+
+  /** A place in the picture: column from the left and row from above, of pixels' middles. */
+  record Pixel(int column, int row) {}
+
+  /**
+   * The pixel that shows a point unless something hides it; empty when it is not in the picture.
+   */
+  Optional<Pixel> pixel(Vector point) {
+    Vector towards = point.plus(place, -1);
+    double deep = towards.dot(ahead);
+    if (deep <= 0) {
+      return Optional.empty();
+    }
+    double column = towards.dot(right) / (deep * scale) + width / 2.0;
+    double row = height / 2.0 - towards.dot(up) / (deep * scale);
+    return column >= 0 && column < width && row >= 0 && row < height
+        ? Optional.of(new Pixel((int) column, (int) row))
+        : Optional.empty();
   }
 }

@@ -1,4 +1,4 @@
-package org.maestro.sim.scene;
+package org.maestro.hal.sight;
 
 import java.util.Locale;
 import java.util.Map;
@@ -14,6 +14,8 @@ public record Paint(double red, double green, double blue) {
   /** Of what nobody says the colour of. */
   public static final Paint GREY = new Paint(0.4, 0.4, 0.4);
 
+  private static final int VALUES = 256;
+  private static final double[] LINEAR = decoded();
   private static final Pattern HEXADECIMAL = Pattern.compile("#[0-9a-fA-F]{6}");
   private static final Map<String, Paint> NAMED = named();
 
@@ -39,15 +41,28 @@ public record Paint(double red, double green, double blue) {
   public static Optional<Paint> parse(String text) {
     if (HEXADECIMAL.matcher(text).matches()) {
       int rgb = Integer.parseInt(text.substring(1), 16);
-      return Optional.of(new Paint(linear(rgb >> 16), linear(rgb >> 8), linear(rgb)));
+      return Optional.of(ofPixel(rgb));
     }
     return Optional.ofNullable(NAMED.get(text.strip().toLowerCase(Locale.ROOT)));
   }
 
-  /** Of an sRGB channel, IEC 61966-2-1. */
+  /** What a pixel shows: shares of the light that is at its end. */
+  static Paint ofPixel(int rgb) {
+    return new Paint(linear(rgb >> 16), linear(rgb >> 8), linear(rgb));
+  }
+
   private static double linear(int channel) {
-    double value = (channel & 0xff) / 255.0;
-    return value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4);
+    return LINEAR[channel & 0xff];
+  }
+
+  /** Of the values of an sRGB channel, IEC 61966-2-1. */
+  private static double[] decoded() {
+    double[] linear = new double[VALUES];
+    for (int channel = 0; channel < VALUES; channel++) {
+      double value = channel / (VALUES - 1.0);
+      linear[channel] = value <= 0.04045 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4);
+    }
+    return linear;
   }
 
   /**
@@ -59,6 +74,11 @@ public record Paint(double red, double green, double blue) {
     double share = lux / saturationLux;
     return new Paint(
         Math.min(1, red * share), Math.min(1, green * share), Math.min(1, blue * share));
+  }
+
+  /** The same colour, darker or lighter. */
+  public Paint times(double factor) {
+    return new Paint(red * factor, green * factor, blue * factor);
   }
 
   /** Distance in the shares of red and of green: colours apart from how bright they are. */
