@@ -3,6 +3,7 @@ package org.maestro.random;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.maestro.hal.Position;
 import org.maestro.ontology.floor.Point2;
 
@@ -120,6 +121,11 @@ public final class RandomHomes {
     }
     return new RandomHome(
         seed, home.homeText(), draft.scene.toString(), home.goals(), home.faults());
+  }
+
+  /** The same, in which cameras find things in the pictures that they take. */
+  public static RandomHome seenInPictures(long seed) {
+    return inhabited(seed).in(Map.of("world.camera.fromPixels", "true"));
   }
 
   private RandomHome drawn(long seed) {

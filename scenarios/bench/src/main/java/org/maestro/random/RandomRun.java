@@ -16,6 +16,7 @@ import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
 import org.maestro.rats.time.Clock;
 import org.maestro.rats.transport.InProcessBus;
+import org.maestro.sim.parameters.PhysicalParameters;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SceneLoader;
 import org.maestro.sl.Formula;
@@ -64,7 +65,11 @@ public record RandomRun(
         (home, scene) ->
             new ArenaWithoutAgents(
                 AgentlessSite.start(
-                    home, scene, random.seed(), clock -> onlooker.journal(home, clock)),
+                    home,
+                    scene,
+                    random.seed(),
+                    PhysicalParameters.standard().with(random.physics()),
+                    clock -> onlooker.journal(home, clock)),
                 onlooker));
   }
 
@@ -84,6 +89,7 @@ public record RandomRun(
                     SiteSettings.of(random.name(), home)
                         .scene(scene)
                         .seed(random.seed())
+                        .physics(PhysicalParameters.standard().with(random.physics()))
                         .build())));
   }
 

@@ -16,11 +16,12 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.fixtures.Share;
 
 /**
  * Nothing is claimed in a random home that is not so, and nobody is run into. All two thousand, a
- * thousand in which persons go about, and a hundred with agents:
+ * thousand in which persons go about, a hundred seen in pictures, and a hundred with agents:
  *
  * <pre>mvn test -Pfull -pl scenarios/bench -am -Dtest=RandomHomesTest
  *     -Dsurefire.failIfNoSpecifiedTests=false</pre>
@@ -28,9 +29,10 @@ import org.maestro.fixtures.Share;
  * <p>A part of them: {@code -Dmaestro.seeds=501-1000}, of those with liars {@code
  * -Dmaestro.liars=101-200}, of harsh ones {@code -Dmaestro.harsh=101-200}, of those with windows
  * {@code -Dmaestro.windows=51-100}, of inhabited ones {@code -Dmaestro.inhabited=1-500}, of those
- * with agents {@code -Dmaestro.agents=26-50}; {@link Share} of them all: {@code
- * -Dmaestro.share=2/3}. A failing seed is seen again with {@code -Dmaestro.seed=N}, which then is
- * the only one, also without {@code -Pfull}.
+ * seen in pictures {@code -Dmaestro.pictures=1-50}, of those with agents {@code
+ * -Dmaestro.agents=26-50}; {@link Share} of them all: {@code -Dmaestro.share=2/3}. A failing seed
+ * is seen again with {@code -Dmaestro.seed=N}, which then is the only one, also without {@code
+ * -Pfull}.
  *
  * <p>A home has a world and a clock of its own, so its tests run beside each other.
  */
@@ -42,6 +44,7 @@ class RandomHomesTest {
   private static final String HARSH = "maestro.harsh";
   private static final String WINDOWS = "maestro.windows";
   private static final String INHABITED = "maestro.inhabited";
+  private static final String PICTURES = "maestro.pictures";
   private static final String AGENTS = "maestro.agents";
 
   /** Neither a claim nor a proof; more than that would be no planner. */
@@ -128,6 +131,14 @@ class RandomHomesTest {
     assertThat(run.agrees()).as(run.text()).isTrue();
   }
 
+  @ParameterizedTest(name = "seed {0} seen in pictures")
+  @ValueSource(longs = {2, 5, 11})
+  void claimsNothingThatIsNotSoWhereCamerasGoByTheirPictures(long seed) {
+    RandomRun run = RandomRun.withoutAgents(RandomHomes.seenInPictures(seed));
+
+    assertThat(run.agrees()).as(run.text()).isTrue();
+  }
+
   @Test
   void tellsTheSameStoryTwiceForTheSameSeed() {
     RandomRun first = RandomRun.withoutAgents(RandomHomes.of(30));
@@ -198,6 +209,17 @@ class RandomHomesTest {
         .assertThat(counts.getOrDefault(Verdict.Kind.GAVE_UP, 0))
         .as("given up, of " + counts)
         .isLessThanOrEqualTo(givenUpAtMost(counts));
+    softly.assertAll();
+  }
+
+  @Test
+  @Tag("full")
+  void claimsNothingThatIsNotSoInAHundredHomesWhereCamerasGoByTheirPictures() {
+    SoftAssertions softly = new SoftAssertions();
+    verdicts(
+        manySeeds(PICTURES, "1-100"),
+        seed -> RandomRun.withoutAgents(RandomHomes.seenInPictures(seed)),
+        softly);
     softly.assertAll();
   }
 

@@ -54,6 +54,16 @@ class MoveObjectTest {
             tuple("(nextTo RedObject1 GreenObject)", "true"));
   }
 
+  @Test
+  void isReachedAsWellWhereCamerasFindThingsInTheirPictures() throws IOException {
+    Findings findings =
+        CarriedOut.findings("move-object", 1, 1, Map.of("world.camera.fromPixels", "true"));
+
+    assertThat(findings.tables().get("runs").rows())
+        .extracting(row -> row.get(3))
+        .containsExactly("true");
+  }
+
   private String content(String run, String table) throws IOException {
     return Files.readString(directory.resolve(run).resolve(table + ".csv"));
   }

@@ -67,6 +67,8 @@ record TellingRun(
           Map.entry("world.battery.checkSeconds", "1"),
           Map.entry("world.camera.width", "960"),
           Map.entry("world.camera.height", "540"),
+          Map.entry("world.camera.detectionWidth", "64"),
+          Map.entry("world.image.mostGain", "1"),
           Map.entry("world.camera.lightError", "0.3"),
           Map.entry("illumination world.camera.frameRate", "10"),
           Map.entry("world.camera.halfLux", "100"),
@@ -95,6 +97,7 @@ record TellingRun(
   private static final Map<String, String> SUN_AS_IN_THE_PAPER =
       given(
           "world.clouds=0 world.clouds.change=0 world.shutters=false world.camera.noticesGlare=false");
+  private static final Map<String, String> FROM_PIXELS = given("world.camera.fromPixels=true");
   private static final Map<String, String> NIGHT = given("world.sun.start=20");
 
   /** What else is set before and after. */
@@ -102,6 +105,8 @@ record TellingRun(
       Map.ofEntries(
           Map.entry("move-object world.battery.idleWatts", given("world.battery.wattHours=0.4")),
           Map.entry("move-object world.battery.checkSeconds", given("world.battery.wattHours=0.4")),
+          Map.entry("move-object world.camera.detectionWidth", FROM_PIXELS),
+          Map.entry("illumination world.camera.detectionWidth", FROM_PIXELS),
           Map.entry("move-object world.camera.noticesGlare", BARE_WINDOWS),
           Map.entry("move-object world.camera.maximumLux", SUN_AS_IN_THE_PAPER),
           Map.entry("move-object world.camera.washedOutSlopeLux", SUN_AS_IN_THE_PAPER),

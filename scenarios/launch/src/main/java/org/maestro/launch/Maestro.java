@@ -75,6 +75,7 @@ public final class Maestro implements Runnable {
           Map.entry("new", NewCommand.class),
           Map.entry("plan", PlanCommand.class),
           Map.entry("secure", SecureCommand.class),
+          Map.entry("calibrate", CalibrateCommand.class),
           Map.entry("bench", BenchCommand.class),
           Map.entry("experiment", ExperimentCommand.class),
           Map.entry("completion", CompletionCommand.class),

@@ -78,6 +78,11 @@ class CommandLineTest {
         "device test tcp://127.0.0.1:1 kettle-1 --call brew=tea | 2 | --call takes a feature and"
             + " its parameters as a JSON object",
         "device | 2 | Say what to do: device test URI ID",
+        "calibrate | 2 | Say what to calibrate: calibrate camera HOME.ttl",
+        "calibrate camera arena --camera lamp-1 | 2 | one of cam-1, cam-2, cam-3, not lamp-1",
+        "calibrate camera arena --thing Cup | 2 | one of GreenObject, RedObject1, RedObject2",
+        "calibrate camera arena --places 0 | 2 | There are 1 to 1000 places, not 0",
+        "calibrate camera arena --set world.camera.lens=1 | 2 | There is no setting",
         "goal --main nowhere x | 2 | is no address",
         "container --main 127.0.0.1:1 --name lights | 3 | No platform answers at 127.0.0.1:1",
         "container --main 127.0.0.1:1 --name Lights | 2 | is no name for a container",

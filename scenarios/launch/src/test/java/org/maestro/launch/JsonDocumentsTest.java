@@ -287,4 +287,17 @@ class JsonDocumentsTest {
                 .path("findings"))
         .hasSameSizeAs(findings);
   }
+
+  @Test
+  void aCalibrationSaysInWhichLightPicturesShowAThing() throws IOException {
+    JsonNode document =
+        document(
+            "calibrate-camera",
+            ExitCode.DONE,
+            "calibrate camera arena --camera cam-2 --thing GreenObject --places 1 --json"
+                .split(" "));
+
+    assertThat(document.path("settings").path("world.camera.halfLux").asDouble()).isPositive();
+    assertThat(document.path("dark").get(0).path("shown").asInt()).isZero();
+  }
 }

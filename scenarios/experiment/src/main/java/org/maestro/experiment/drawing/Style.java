@@ -12,6 +12,7 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.axis.Axis;
 import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.block.BlockBorder;
 import org.jfree.chart.plot.Plot;
 import org.jfree.chart.plot.ValueMarker;
@@ -50,7 +51,7 @@ final class Style {
     axis.setLabelInsets(new RectangleInsets(6, 6, 6, 6));
   }
 
-  static XYPlot plot(NumberAxis across, NumberAxis up) {
+  static XYPlot plot(ValueAxis across, NumberAxis up) {
     XYPlot plot = new XYPlot(null, across, up, null);
     plot.setBackgroundPaint(Color.WHITE);
     plot.setDomainGridlinePaint(GRID);

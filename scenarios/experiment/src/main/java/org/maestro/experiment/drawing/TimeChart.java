@@ -117,7 +117,7 @@ public final class TimeChart {
     return tick;
   }
 
-  private static ValueMarker marker(Event event) {
+  static ValueMarker marker(Event event) {
     ValueMarker marker = new ValueMarker(event.at(), Ink.GREY.color(), Ink.dashed(3));
     marker.setLabel(event.label());
     marker.setLabelFont(Style.TICK);
@@ -128,7 +128,7 @@ public final class TimeChart {
     return marker;
   }
 
-  private static DefaultXYDataset data(List<Series> all) {
+  static DefaultXYDataset data(List<Series> all) {
     DefaultXYDataset data = new DefaultXYDataset();
     for (Series series : all) {
       double[][] points = new double[2][series.points().size()];
