@@ -50,6 +50,11 @@ public interface Camera {
     void looked(Look look);
 
     void failed(String reason);
+
+    /** It works, and cannot say whether the thing is there; one sentence. */
+    default void doubted(String reason) {
+      failed(reason);
+    }
   }
 
   /**

@@ -31,6 +31,10 @@ class PictureDetectionTest {
   }
 
   private static Outcome look(Homes homes, String camera, String thing) {
+    return look(homes, camera, new Target(thing, Map.of()));
+  }
+
+  private static Outcome look(Homes homes, String camera, Target target) {
     AtomicReference<Outcome> outcome = new AtomicReference<>();
     Camera eye = homes.simulated.drivers(camera).find(Camera.class).orElseThrow();
     homes.clock.schedule(
@@ -38,7 +42,7 @@ class PictureDetectionTest {
         camera,
         () ->
             eye.look(
-                new Target(thing, Map.of()),
+                target,
                 FRAMES,
                 new Camera.Listener() {
                   @Override
@@ -119,7 +123,11 @@ class PictureDetectionTest {
       assertFound(homes, "cam-2", "GreenObject");
       Position there = homes.world().position("GreenObject").orElseThrow();
       put(homes, "rose", there.x(), there.y());
-      assertThat(detections(homes, "cam-2", "GreenObject")).isZero();
+      assertThat(look(homes, "cam-2", "GreenObject").failure())
+          .isEqualTo("Something stands where GreenObject was seen last, and may hide it.");
+      put(homes, "rose", 7.4, 2.2);
+      put(homes, "GreenObject", 0.2, 0.2);
+      assertThat(detections(homes, "cam-3", "GreenObject")).isZero();
     }
   }
 
@@ -136,7 +144,7 @@ class PictureDetectionTest {
       put(homes, "RedObject2", 5, 0.7);
       assertThat(look(homes, "cam-2", "RedObject1").failure())
           .isEqualTo(
-              "What is in view may be RedObject1 as well as RedObject2: they look alike, and it is not known where the other is.");
+              "What is in view may be RedObject1 as well as RedObject2: they look alike, and it is not known where the other is now.");
     }
   }
 
@@ -166,8 +174,7 @@ class PictureDetectionTest {
   void ofWhatNobodyKnowsTheLooksOfNothingIsSaid() {
     try (Homes homes = homes("arena", "arena-light")) {
       assertThat(look(homes, "cam-2", "Umbrella").failure())
-          .isEqualTo(
-              "It is not known what Umbrella looks like: state its colour and size in the home.");
+          .isEqualTo("It is not known what Umbrella looks like: state its colour in the home.");
     }
   }
 
@@ -196,5 +203,34 @@ class PictureDetectionTest {
       pairs++;
     }
     return Math.sqrt(squares / pairs);
+  }
+
+  /** A description may come with the call, as lists over the bus, and outweighs the home's. */
+  @Test
+  void whatACallSaysOfItsLooksCounts() {
+    try (Homes homes = homes("arena", "arena-light")) {
+      light(homes, 100);
+      Map<String, Object> blue = Map.of("colour", "blue", "size", List.of(0.06, 0.06, 0.06));
+      Map<String, Object> green = Map.of("colour", "green", "size", List.of(0.06, 0.06, 0.06));
+
+      assertThat(look(homes, "cam-2", new Target("GreenObject", green)).look().detections())
+          .isEqualTo(FRAMES);
+      assertThat(look(homes, "cam-2", new Target("RedObject1", blue)).look().detections()).isZero();
+    }
+  }
+
+  @Test
+  void whatIsTooSmallForItsPicturesIsNotSaidToBeElsewhere() {
+    Home home = Homes.home("arena");
+    try (Homes homes =
+        new Homes(
+            home,
+            Homes.scene("arena-light", home),
+            1,
+            usual -> fromPixels(usual).with(Map.of("world.camera.detectionWidth", "64")))) {
+      light(homes, 100);
+      assertThat(look(homes, "cam-2", "GreenObject").failure())
+          .isEqualTo("GreenObject is too small for this camera: its pictures hardly show it.");
+    }
   }
 }

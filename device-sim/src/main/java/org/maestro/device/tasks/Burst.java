@@ -53,6 +53,11 @@ final class Burst {
           public void failed(String reason) {
             listener.failed(reason);
           }
+
+          @Override
+          public void doubted(String reason) {
+            listener.doubted(reason);
+          }
         });
   }
 

@@ -58,6 +58,11 @@ final class LookAround extends DeviceProcedure {
           public void failed(String reason) {
             execution.fail(FeatureContext.broken(reason));
           }
+
+          @Override
+          public void doubted(String reason) {
+            execution.fail(SightVerdict.doubt(reason));
+          }
         });
   }
 

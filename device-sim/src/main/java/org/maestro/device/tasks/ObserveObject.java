@@ -56,6 +56,16 @@ final class ObserveObject extends DeviceProcedure {
           public void failed(String reason) {
             execution.fail(FeatureContext.broken(reason));
           }
+
+          @Override
+          public void doubted(String reason) {
+            if (first) {
+              execution.fail(SightVerdict.doubt(reason));
+            } else {
+              Streams.next(
+                  context, begun, period, () -> look(execution, parameters, object, false));
+            }
+          }
         });
   }
 

@@ -82,6 +82,11 @@ record SightVerdict(boolean found, List<UnfitLight> unfit) {
     return tail;
   }
 
+  /** Says why a look came to nothing. */
+  static RatsError doubt(String reason) {
+    return FeatureContext.unmet(reason, "have another camera look, or look later", List.of());
+  }
+
   /** Says which light stands in the way. */
   RatsError refusal(FeatureContext context, CallParameters parameters, Camera camera) {
     List<RatsError.Reference> references = new ArrayList<>();

@@ -26,6 +26,15 @@ public record Detector(double tolerance, boolean takesAll) {
   /** How many tolerances a colour is from grey: floors are not quite grey either. */
   private static final double COLOURED = 1.5;
 
+  /** Around a place so many times a thing's breadth are looked at, to each side. */
+  private static final double AROUND = 1.5;
+
+  /** More coloured pixels than this share may hide something. */
+  private static final double SOME = 0.2;
+
+  /** With more bare pixels than this share nothing stands there. */
+  private static final double MOST = 0.75;
+
   /** As far from the dark and from the end all colours are known; share of the end. */
   private static final double CLEAR = 0.05;
 
@@ -85,19 +94,52 @@ public record Detector(double tolerance, boolean takesAll) {
             });
   }
 
-  /**
-   * Whether a picture would show a thing that stood there, and stood free: it is large enough, and
-   * what is there now is neither dark nor at the picture's end.
-   */
-  public boolean wouldShow(Photo photo, Lens lens, Appearance wanted, Position foot) {
-    return LEAST_FIT * pixels(lens, wanted, foot) >= FEWEST_PIXELS
-        && lens.pixel(wanted.middle(foot)).filter(pixel -> isClear(photo, pixel)).isPresent();
+  /** Whether it is large enough to be found there. */
+  public boolean isLargeEnough(Lens lens, Appearance wanted, Position foot) {
+    return LEAST_FIT * pixels(lens, wanted, foot) >= FEWEST_PIXELS;
   }
 
-  private static boolean isClear(Photo photo, Lens.Pixel pixel) {
-    Paint seen = Paint.ofPixel(photo.at(pixel.column(), pixel.row()));
-    double mean = (seen.red() + seen.green() + seen.blue()) / CHANNELS;
-    return mean >= CLEAR && mean <= 1 - CLEAR;
+  /** What a picture shows of a place at which the wanted thing is not found. */
+  public enum Place {
+    /** The floor, so that it is not there. */
+    FREE,
+    /** Something else, which may hide it. */
+    COVERED,
+    /** Nothing that one could go by: it is beyond the edge, too far, dark or at its end. */
+    UNSEEN
+  }
+
+  /** What a picture shows of the place at which a thing stood. */
+  public Place place(Photo photo, Lens lens, Appearance wanted, Position foot) {
+    Optional<Lens.Pixel> pixel = lens.pixel(wanted.middle(foot));
+    if (pixel.isEmpty() || !isLargeEnough(lens, wanted, foot)) {
+      return Place.UNSEEN;
+    }
+    int reach = (int) Math.ceil(AROUND * Math.sqrt(pixels(lens, wanted, foot)));
+    int all = 0;
+    int bare = 0;
+    int covered = 0;
+    for (int row = -reach; row <= reach; row++) {
+      for (int column = -reach; column <= reach; column++) {
+        Paint seen = seen(photo, pixel.get().column() + column, pixel.get().row() + row);
+        double mean = (seen.red() + seen.green() + seen.blue()) / CHANNELS;
+        boolean isGrey = seen.distance(Paint.GREY) < COLOURED * tolerance;
+        all++;
+        bare += isGrey && mean >= CLEAR && mean <= 1 - CLEAR ? 1 : 0;
+        covered += !isGrey && mean >= CLEAR ? 1 : 0;
+      }
+    }
+    if (covered > SOME * all) {
+      return Place.COVERED;
+    }
+    return bare > MOST * all ? Place.FREE : Place.UNSEEN;
+  }
+
+  /** Black beyond the edge. */
+  private static Paint seen(Photo photo, int column, int row) {
+    return column < 0 || row < 0 || column >= photo.width() || row >= photo.height()
+        ? Paint.ofPixel(0)
+        : Paint.ofPixel(photo.at(column, row));
   }
 
   /** Whether neither colour nor size tells one from the other. */

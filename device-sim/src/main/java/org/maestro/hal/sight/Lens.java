@@ -94,6 +94,11 @@ public final class Lens {
     return deep <= 0 ? 0 : squareMetres * towards.length() / (deep * deep * deep * scale * scale);
   }
 
+  /** The floor in the picture's middle; empty when that shows none. */
+  public Optional<Position> middle() {
+    return at((width - 1) / 2.0, (height - 1) / 2.0, 0);
+  }
+
   /** A place in the picture: column from the left and row from above, of pixels' middles. */
   record Pixel(int column, int row) {}
 

@@ -28,6 +28,11 @@ public final class Recollection {
     this.places = new TreeMap<>(places);
   }
 
+  /** Where it was seen last, as far as that place was not seen empty since. */
+  public Optional<Position> place(String name) {
+    return Optional.ofNullable(places.get(name));
+  }
+
   /**
    * What a look comes to.
    *
@@ -45,7 +50,7 @@ public final class Recollection {
    *
    * @param alike names of all others that look like it
    * @param seen places where something that looks like it is seen
-   * @param inView whether a place is in view, so that what stood there would be seen
+   * @param inView whether the floor of a place is in view, so that what stood there would be seen
    */
   public Verdict judge(
       String wanted, Set<String> alike, List<Position> seen, Predicate<Position> inView) {
@@ -56,9 +61,12 @@ public final class Recollection {
     }
     List<Position> others = new ArrayList<>(seen);
     List<String> unknown = new ArrayList<>();
+    // where it should be nobody looks: what is seen here may as well be another that was moved
+    boolean isElsewhere = places.containsKey(wanted);
     for (String name : alike) {
-      near(places.get(name), others).ifPresent(others::remove);
-      if (!places.containsKey(name)) {
+      Optional<Position> seenHere = near(places.get(name), others);
+      seenHere.ifPresent(others::remove);
+      if (seenHere.isEmpty() && (isElsewhere || !places.containsKey(name))) {
         unknown.add(name);
       }
     }
@@ -75,7 +83,7 @@ public final class Recollection {
     return unknown.isEmpty()
         ? "%d things in view look like %s, and neither their size nor their place tells which it is."
             .formatted(seen.size(), wanted)
-        : "What is in view may be %s as well as %s: they look alike, and it is not known where %s."
+        : "What is in view may be %s as well as %s: they look alike, and it is not known where %s now."
             .formatted(
                 wanted,
                 String.join(" or ", unknown),
@@ -102,7 +110,11 @@ public final class Recollection {
     return place == null
         ? Optional.empty()
         : seen.stream()
-            .filter(other -> other.distance(place) <= SAME_METRES)
-            .min((one, other) -> Double.compare(one.distance(place), other.distance(place)));
+            .filter(other -> away(other, place) <= SAME_METRES)
+            .min((one, other) -> Double.compare(away(one, place), away(other, place)));
+  }
+
+  private static double away(Position one, Position other) {
+    return one.floor().distance(other.floor());
   }
 }

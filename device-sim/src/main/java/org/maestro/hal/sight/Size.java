@@ -27,7 +27,7 @@ public record Size(double length, double width, double height) {
   }
 
   /** The mean area that is seen of it from all sides; square metres. */
-  double outline() {
+  public double outline() {
     // of a convex body a quarter of its surface
     return (length * width + width * height + height * length) / 2;
   }

@@ -3,6 +3,9 @@ package org.maestro.sim.calibration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.maestro.sim.parameters.CameraData;
 
 /**
@@ -36,7 +39,29 @@ public record Calibrated(
 
   /** Whether it is found in any light. */
   public boolean isFound() {
-    return dark.stream().anyMatch(level -> level.shown() > 0);
+    return levels().anyMatch(level -> level.shown() > 0);
+  }
+
+  /** All levels, from the darkest on. */
+  public Stream<LightLevel> levels() {
+    // the last of the dark ones is the first of the bright ones
+    return Stream.concat(dark.stream(), bright.stream().skip(1));
+  }
+
+  /** The least light in which nearly all frames showed it; empty when none did. */
+  public OptionalDouble leastLux() {
+    return fit().min();
+  }
+
+  /** The most light in which nearly all frames showed it; empty when none did. */
+  public OptionalDouble greatestLux() {
+    return fit().max();
+  }
+
+  private DoubleStream fit() {
+    return levels()
+        .filter(level -> level.rate() >= LogisticFit.FIT_RATE)
+        .mapToDouble(LightLevel::lux);
   }
 
   public LogisticFit inTheDark() {

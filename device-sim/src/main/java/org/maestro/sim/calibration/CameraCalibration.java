@@ -3,6 +3,7 @@ package org.maestro.sim.calibration;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +16,7 @@ import org.maestro.hal.Camera;
 import org.maestro.hal.Position;
 import org.maestro.hal.Target;
 import org.maestro.hal.sight.Appearance;
+import org.maestro.hal.sight.Paint;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.ontology.home.DescriptionWriter;
 import org.maestro.ontology.home.Device;
@@ -25,6 +27,7 @@ import org.maestro.sim.SimulatedHome;
 import org.maestro.sim.drivers.DriverFactory;
 import org.maestro.sim.drivers.SimulatedCamera;
 import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Course;
 import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 import org.maestro.sim.world.Looks;
@@ -41,9 +44,9 @@ public final class CameraCalibration implements AutoCloseable {
   private static final double FIT_LUX = 500;
   private static final double BRIGHTEST_LUX = 100_000;
   private static final int LEVELS = 24;
+  private static final int MILLIS = 1000;
   private static final double GRID_METRES = 0.1;
   private static final Position OUTSIDE = new Position(-1000, -1000, 0);
-  private static final Duration LOOK = Duration.ofSeconds(10);
 
   /** Nearer than this it is the thing itself that was seen; metres. */
   private static final double THERE_METRES = 0.3;
@@ -62,20 +65,27 @@ public final class CameraCalibration implements AutoCloseable {
   private double offsets;
 
   /**
+   * @param scene of which the sky counts, and where devices stand
    * @param device one of {@link #cameras}
    * @param thing one of {@link #things}
    * @param seed of the places and of all noise
-   * @throws SimulationException when there is no such camera or thing
+   * @throws SimulationException when there is no such camera, or the scene lacks what the home's
+   *     devices need
    */
   public CameraCalibration(
-      Home home, String device, String thing, PhysicalParameters parameters, long seed) {
+      Home home,
+      Scene scene,
+      String device,
+      String thing,
+      PhysicalParameters parameters,
+      long seed) {
     this.device = device;
     this.thing = thing;
     this.simulated =
         SimulatedHome.start(
             new SimulatedHome.Setup(
                     home,
-                    bare(home),
+                    bare(home, scene, thing),
                     clock,
                     seed,
                     bus::client,
@@ -104,24 +114,43 @@ public final class CameraCalibration implements AutoCloseable {
         .toList();
   }
 
-  /** Names of all with a colour that are no devices. */
+  /** Names of all with a colour that are no devices, the smallest first. */
   public static List<String> things(Home home) {
-    return looks(home).keySet().stream().filter(name -> !home.devices().containsKey(name)).toList();
+    return looks(home).entrySet().stream()
+        .filter(look -> !home.devices().containsKey(look.getKey()))
+        .sorted(Comparator.comparingDouble(look -> look.getValue().size().outline()))
+        .map(Map.Entry::getKey)
+        .toList();
   }
 
   private static Map<String, Appearance> looks(Home home) {
     return new Looks(home, new Scene("empty", Map.of())).known();
   }
 
-  /** All that the camera may take for something stands outside, so that it is known where. */
-  private static Scene bare(Home home) {
+  /**
+   * The scene's sky and where devices stand, without lamps that shine and without what happens of
+   * its own accord. The thing stands outside at first, and all others are grey, so that nothing
+   * looks like it.
+   */
+  private static Scene bare(Home home, Scene scene, String thing) {
     Map<String, Scene.Entry> entries = new TreeMap<>();
-    looks(home).keySet().forEach(name -> entries.put(name, Scene.Entry.NOTHING.at(OUTSIDE)));
-    return new Scene("bare", entries);
+    scene
+        .entries()
+        .forEach(
+            (name, entry) ->
+                entry
+                    .position()
+                    .filter(place -> home.devices().containsKey(name))
+                    .ifPresent(place -> entries.put(name, Scene.Entry.NOTHING.at(place))));
+    for (String name : looks(home).keySet()) {
+      entries.put(name, Scene.Entry.NOTHING.at(OUTSIDE).in(Paint.GREY));
+    }
+    entries.put(thing, Scene.Entry.NOTHING.at(OUTSIDE));
+    return new Scene("bare", entries, scene.sky(), Map.of(), Course.NOTHING, Map.of());
   }
 
   /**
-   * Carries it out; it takes about a second for each place.
+   * Carries it out; it takes some ten seconds of a processor for each place.
    *
    * @param count how many places, at least one
    * @throws SimulationException when the camera sees no floor
@@ -235,7 +264,7 @@ public final class CameraCalibration implements AutoCloseable {
                     // no frame shows it for sure
                   }
                 }));
-    clock.run(LOOK);
+    clock.run(Duration.ofMillis((long) (MILLIS * (FRAMES / camera.frameRate() + 1))));
     return Optional.ofNullable(look.get());
   }
 

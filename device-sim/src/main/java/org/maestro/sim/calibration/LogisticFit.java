@@ -18,8 +18,8 @@ public record LogisticFit(double halfLux, double slopeLux) {
 
   private static final double FLATTEST = 1;
 
-  /** The share of frames that still are missed in light that is fit. */
-  private static final double FIT_RATE = 0.98;
+  /** The share of frames that show it in light that is fit. */
+  static final double FIT_RATE = 0.98;
 
   /**
    * @param levels at least one
@@ -58,9 +58,9 @@ public record LogisticFit(double halfLux, double slopeLux) {
     return 1 / (1 + Math.exp(-(lux - halfLux) / slopeLux));
   }
 
-  /** Light from which, or up to which, nearly all frames show it. */
+  /** Light from which, or up to which, nearly all frames show it by this function; from 0 on. */
   public double fitLux() {
-    return halfLux + slopeLux * Math.log(FIT_RATE / (1 - FIT_RATE));
+    return Math.max(0, halfLux + slopeLux * Math.log(FIT_RATE / (1 - FIT_RATE)));
   }
 
   /** Root of the mean square of what it errs by. */

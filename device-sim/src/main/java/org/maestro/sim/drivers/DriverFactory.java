@@ -83,6 +83,9 @@ public final class DriverFactory {
   private static final String CAMERA = "camera";
   private static final String TRUSTING_CAMERA = "trusting-camera";
 
+  /** What stands higher is seen elsewhere than it is; metres. */
+  private static final double ON_THE_FLOOR_METRES = 0.1;
+
   /** Keys of cameras that hang in one place. */
   public static final Set<String> FIXED_CAMERAS = Set.of(CAMERA, TRUSTING_CAMERA);
 
@@ -128,7 +131,10 @@ public final class DriverFactory {
     Map<String, Position> shown = new TreeMap<>();
     for (String name : world.bodies()) {
       if (world.whereabouts().body(name).isInTheOpen()) {
-        world.position(name).ifPresent(place -> shown.put(name, place));
+        world
+            .position(name)
+            .filter(place -> place.z() < ON_THE_FLOOR_METRES)
+            .ifPresent(place -> shown.put(name, place));
       }
     }
     return shown;

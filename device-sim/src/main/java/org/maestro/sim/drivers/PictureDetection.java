@@ -20,10 +20,11 @@ import org.maestro.hal.sight.Sighting;
 import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.image.Picture;
+import org.maestro.sim.world.Looks;
 
 /**
- * Detection in the pictures that the camera takes: what light, distance, shadow, a body in between
- * and noise leave of a thing is found, and nothing is known but the looks of things. Of what looks
+ * Detection in the pictures that the camera takes: what light, distance, a body in between and
+ * noise leave of a thing is found, and nothing is known but the looks of things. Of what looks
  * alike its place tells which it is ({@link Recollection}).
  */
 final class PictureDetection implements Detection {
@@ -66,11 +67,10 @@ final class PictureDetection implements Detection {
   @Override
   public Seen of(Target target, int frames) {
     Optional<Appearance> stated =
-        Appearance.read(texts(target.properties().values()))
-            .or(() -> Optional.ofNullable(looks.get(target.name())));
+        Looks.stated(target.properties()).or(() -> Optional.ofNullable(looks.get(target.name())));
     if (stated.isEmpty()) {
       return Seen.doubtful(
-          "It is not known what %s looks like: state its colour and size in the home."
+          "It is not known what %s looks like: state its colour in the home."
               .formatted(target.name()));
     }
     if (!detector.hasColour(stated.get())) {
@@ -79,10 +79,6 @@ final class PictureDetection implements Detection {
               .formatted(target.name()));
     }
     return told(target.name(), stated.get(), frames);
-  }
-
-  private static List<String> texts(Collection<Object> values) {
-    return values.stream().map(String::valueOf).toList();
   }
 
   private Seen told(String name, Appearance wanted, int frames) {
@@ -99,16 +95,46 @@ final class PictureDetection implements Detection {
             .filter(other -> detector.areAlike(wanted, other.getValue()))
             .map(Map.Entry::getKey)
             .collect(Collectors.toSet());
+    Optional<Position> before = recollection.place(name);
     Recollection.Verdict verdict =
         recollection.judge(
             name,
             alike,
             spots.stream().map(Spot::place).toList(),
-            place -> isInView(takes, wanted, place));
+            place -> shows(takes, wanted, place, Detector.Place.FREE));
+    Optional<String> doubt =
+        verdict
+            .doubt()
+            .or(
+                () ->
+                    verdict.place().isEmpty()
+                        ? hidden(name, before, takes, wanted)
+                        : Optional.empty());
     return new Seen(
         verdict.place().map(place -> Math.min(frames, framesAt(place, spots))).orElse(0),
         verdict.place().map(this::astray),
-        verdict.doubt());
+        doubt);
+  }
+
+  /** Why it cannot be said that it is not there; empty when it can. */
+  private Optional<String> hidden(
+      String name, Optional<Position> before, List<Take> takes, Appearance wanted) {
+    if (before.isPresent() && shows(takes, wanted, before.get(), Detector.Place.COVERED)) {
+      return Optional.of(
+          "Something stands where %s was seen last, and may hide it.".formatted(name));
+    }
+    boolean isTooSmall =
+        takes.stream()
+            .map(Take::lens)
+            .allMatch(
+                lens ->
+                    lens.middle()
+                        .filter(floor -> !detector.isLargeEnough(lens, wanted, floor))
+                        .isPresent());
+    return isTooSmall
+        ? Optional.of(
+            "%s is too small for this camera: its pictures hardly show it.".formatted(name))
+        : Optional.empty();
   }
 
   /** One direction of a look. */
@@ -120,14 +146,16 @@ final class PictureDetection implements Detection {
     return new Position(seen.x(), seen.y(), place.z());
   }
 
-  private boolean isInView(List<Take> takes, Appearance wanted, Position place) {
+  /** Whether walls let it see a place, and a picture shows that of it. */
+  private boolean shows(List<Take> takes, Appearance wanted, Position place, Detector.Place what) {
     Point2 from = eye.views().get().get(0).floor();
     return !actuator.world().building().plan().isBlocked(from, place.floor())
         && takes.stream()
             .anyMatch(
                 take ->
-                    detector.wouldShow(
-                        take.picture().taken(actuator.number()), take.lens(), wanted, place));
+                    detector.place(
+                            take.picture().taken(actuator.number()), take.lens(), wanted, place)
+                        == what);
   }
 
   private static int framesAt(Position place, List<Spot> spots) {
@@ -152,7 +180,7 @@ final class PictureDetection implements Detection {
     }
     int most = spots.stream().mapToInt(Spot::frames).max().orElse(0);
     spots.removeIf(
-        spot -> spot.frames() < Math.min(AGREEING_FRAMES, most) || 2 * spot.frames() < most);
+        spot -> spot.frames() < Math.min(AGREEING_FRAMES, frames) || 2 * spot.frames() < most);
     return spots;
   }
 

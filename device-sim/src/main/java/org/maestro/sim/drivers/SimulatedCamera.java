@@ -14,6 +14,7 @@ import org.maestro.ontology.floor.Point2;
 import org.maestro.ontology.floor.Pose;
 import org.maestro.sim.parameters.CameraData;
 import org.maestro.sim.scene.WorldEvent;
+import org.maestro.sim.world.Flaw;
 import org.maestro.sim.world.Likeness;
 
 /**
@@ -75,8 +76,8 @@ public final class SimulatedCamera implements Camera {
 
   private void tell(Detection.Seen seen, int frames, Listener listener) {
     Optional<String> doubt = seen.doubt();
-    if (doubt.isPresent()) {
-      listener.failed(doubt.get());
+    if (doubt.isPresent() && saysWhatItSees()) {
+      listener.doubted(doubt.get());
     } else {
       listener.looked(asBroken(develop(seen, frames)));
     }
@@ -99,6 +100,10 @@ public final class SimulatedCamera implements Camera {
   /** What it shows now. */
   public Photo photo() {
     return shutter.take(actuator.clock().now(), Integer.MAX_VALUE);
+  }
+
+  private boolean saysWhatItSees() {
+    return actuator.flaw() != Flaw.BLIND && actuator.flaw() != Flaw.SEEING_THINGS;
   }
 
   private Look asBroken(Look look) {

@@ -1,5 +1,7 @@
 package org.maestro.sim.parameters;
 
+import org.maestro.sim.scene.SimulationException;
+
 /**
  * The exposure, noise and resolution of pictures. The maker of the camera does not say which sensor
  * is in it: it is taken for one of those that are made for web cameras with 1080p.
@@ -37,7 +39,9 @@ public record ImageData(
 
   public ImageData {
     PhysicalParameters.positive("image.longestLux", longestLux);
-    PhysicalParameters.positive("image.mostGain", mostGain);
+    if (!(mostGain >= 1)) {
+      throw new SimulationException("The setting world.image.mostGain is at least 1.");
+    }
     PhysicalParameters.positive("image.gridMetres", gridMetres);
   }
 }

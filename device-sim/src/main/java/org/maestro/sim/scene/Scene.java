@@ -118,8 +118,17 @@ public record Scene(
             OptionalDouble.empty());
 
     public Entry at(Position place) {
+      return changed(Optional.of(place), colour);
+    }
+
+    /** Painted over. */
+    public Entry in(Paint paint) {
+      return changed(position, Optional.of(paint));
+    }
+
+    private Entry changed(Optional<Position> place, Optional<Paint> paint) {
       return new Entry(
-          Optional.of(place),
+          place,
           hidden,
           radius,
           mass,
@@ -131,7 +140,7 @@ public record Scene(
           speed,
           payload,
           diesWhen,
-          colour,
+          paint,
           charge,
           charges,
           celsius);

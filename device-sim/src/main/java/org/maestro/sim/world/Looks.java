@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.maestro.hal.sight.Appearance;
 import org.maestro.hal.sight.Paint;
 import org.maestro.hal.sight.Size;
@@ -64,6 +65,19 @@ public final class Looks {
 
   private static Optional<Size> size(Individual individual) {
     return texts(individual).stream().flatMap(text -> Size.parse(text).stream()).findFirst();
+  }
+
+  /** As what is said of a thing reads, by the property's name; lists are lengths. */
+  public static Optional<Appearance> stated(Map<String, Object> properties) {
+    return Appearance.read(
+        properties.entrySet().stream()
+            .filter(property -> !OTHER_TEXTS.contains(property.getKey()))
+            .map(
+                property ->
+                    property.getValue() instanceof List<?> lengths
+                        ? lengths.stream().map(String::valueOf).collect(Collectors.joining(" "))
+                        : String.valueOf(property.getValue()))
+            .toList());
   }
 
   private static List<String> texts(Individual individual) {

@@ -99,7 +99,7 @@ public final class Photographer {
         stage,
         lens,
         new Exposure(
-            parameters.camera().maximumLux(),
+            parameters.colour().saturationLux(),
             parameters.image().longestLux(),
             parameters.image().mostGain(),
             parameters.image().readNoise(),

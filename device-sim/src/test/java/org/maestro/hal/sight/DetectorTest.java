@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.maestro.hal.Photo;
 import org.maestro.hal.Position;
+import org.maestro.hal.sight.Detector.Place;
 import org.maestro.ontology.floor.Pose;
 
 class DetectorTest {
@@ -84,15 +85,21 @@ class DetectorTest {
   }
 
   @Test
-  void saysWhereItWouldSeeSomething() {
-    Photo photo = photo(100, 100, 12, WHITE);
+  void saysWhetherSomethingMayHideIt() {
     Position there = new Position((106 - WIDTH / 2.0) * 0.0256, (HEIGHT / 2.0 - 106) * 0.0256, 0);
+    Position origin = new Position(0, 0, 0);
+    Photo floor = photo(0, 0, 1, FLOOR);
 
-    assertThat(DETECTOR.wouldShow(photo, LENS, BOX, new Position(0, 0, 0))).isTrue();
-    assertThat(DETECTOR.wouldShow(photo, LENS, BOX, there)).isFalse();
-    assertThat(DETECTOR.wouldShow(photo, LENS, BOX, new Position(9, 0, 0))).isFalse();
-    Appearance crumb = box("0.02 0.02 0.02", "red");
-    assertThat(DETECTOR.wouldShow(photo, LENS, crumb, new Position(0, 0, 0))).isFalse();
+    assertThat(place(floor, BOX, origin)).isEqualTo(Place.FREE);
+    assertThat(place(photo(90, 90, 32, 0x2ca040), BOX, there)).isEqualTo(Place.COVERED);
+    assertThat(place(photo(80, 80, 50, WHITE), BOX, there)).isEqualTo(Place.UNSEEN);
+    assertThat(place(photo(80, 80, 50, 0x101010), BOX, there)).isEqualTo(Place.UNSEEN);
+    assertThat(place(floor, BOX, new Position(9, 0, 0))).isEqualTo(Place.UNSEEN);
+    assertThat(place(floor, box("0.02 0.02 0.02", "red"), origin)).isEqualTo(Place.UNSEEN);
+  }
+
+  private static Place place(Photo photo, Appearance wanted, Position foot) {
+    return DETECTOR.place(photo, LENS, wanted, foot);
   }
 
   @Test

@@ -57,6 +57,18 @@ class RecollectionTest {
         .contains(HERE);
   }
 
+  /** A was seen elsewhere, and so was B: either may have been moved here. */
+  @Test
+  void whatMayBeAnotherThatWasMovedIsNotTakenForIt() {
+    Recollection far = new Recollection(Map.of("A", ELSEWHERE, "B", ELSEWHERE));
+
+    assertThat(
+            far.judge("A", OTHER, List.of(HERE), place -> !place.equals(ELSEWHERE))
+                .doubt()
+                .orElseThrow())
+        .contains("may be A as well as B");
+  }
+
   @Test
   void whatNobodyKnowsOfMayBeIt() {
     Recollection empty = new Recollection(Map.of());

@@ -12,13 +12,15 @@ import org.junit.jupiter.api.Test;
 import org.maestro.ontology.home.Home;
 import org.maestro.sim.Homes;
 import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
 import org.maestro.sim.scene.SimulationException;
 
 class CameraCalibrationTest {
+  private static final Scene EMPTY = new Scene("empty", Map.of());
 
   private static Calibrated calibrated(String thing, PhysicalParameters parameters) {
     try (CameraCalibration calibration =
-        new CameraCalibration(Homes.home("arena"), "cam-2", thing, parameters, 1)) {
+        new CameraCalibration(Homes.home("arena"), EMPTY, "cam-2", thing, parameters, 1)) {
       return calibration.carriedOut(1);
     }
   }
@@ -79,7 +81,8 @@ class CameraCalibrationTest {
     assertThat(CameraCalibration.cameras(home)).containsExactly("cam-1", "cam-2", "cam-3");
     assertThat(CameraCalibration.things(home))
         .containsExactly("GreenObject", "RedObject1", "RedObject2");
-    assertThatThrownBy(() -> new CameraCalibration(home, "lamp-1", "GreenObject", parameters, 1))
+    assertThatThrownBy(
+            () -> new CameraCalibration(home, EMPTY, "lamp-1", "GreenObject", parameters, 1))
         .isInstanceOf(SimulationException.class)
         .hasMessageContaining("lamp-1 is no camera");
   }

@@ -263,7 +263,7 @@ final class Illumination implements Experiment {
                 request.settings().value(Physics.setting(FROM_PIXELS)).equals("true")
                     ? "The object is found in pictures of the camera, by colour and size (world.camera.fromPixels). In which light is therefore a finding: it follows from the noise of a sensor as its data sheet states it, and from how large the object is in the picture. That a plan raises the light to 72 lux follows from the goal."
                     : "A frame shows the object with a chance that is a logistic function of the light upon it, half at world.camera.halfLux; its place was assumed a little under the paper's threshold of 72 lux, so that detection is nearly certain from there on. That rate and threshold agree is therefore an assumption, not a finding; that the agent notices, plans and recovers is the finding. With world.camera.fromPixels=true the object is found in pictures instead.",
-                "Found in pictures it is in far less light than in the paper: the grain of light and the noise of reading a sensor do not explain 72 lux. What else the paper's camera lost in the dark, such as colours that its own processing washes out, or brightness below which its program did not look, is not known and not simulated.",
+                pixels.meaning(),
                 "In the dark case the rest light swings between 16 and 19 lux, which are the paper's extremes.",
                 "In the other case the light falls at once from 80 to 40 lux after 10 s, as when a blind is drawn.",
                 "The rate is that of 6 frames, a fifth of a second of the camera."));
@@ -315,7 +315,7 @@ final class Illumination implements Experiment {
         new Page.Row(
             "light in which pictures show the object",
             "from about 72 lux on",
-            pixels.sentence(),
+            pixels.range(),
             "found in pictures by colour and size, see the last figure"),
         new Page.Row(
             "detection below and above it",

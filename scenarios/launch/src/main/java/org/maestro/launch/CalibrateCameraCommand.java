@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.maestro.ontology.home.Home;
 import org.maestro.sim.calibration.CameraCalibration;
 import org.maestro.sim.parameters.PhysicalParameters;
+import org.maestro.sim.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -24,6 +25,7 @@ import picocli.CommandLine.Spec;
             + " each place.")
 final class CalibrateCameraCommand implements Callable<Integer> {
   private static final int MOST_PLACES = 1000;
+  private static final String FROM_PIXELS = "world.camera.fromPixels";
 
   @Spec private CommandSpec spec;
 
@@ -42,8 +44,15 @@ final class CalibrateCameraCommand implements Callable<Integer> {
   @Option(
       names = "--thing",
       paramLabel = "NAME",
-      description = "What it is to find; without: the first thing with a colour and a size.")
+      description = "What it is to find; without: the smallest that has a colour.")
   private Optional<String> thing = Optional.empty();
+
+  @Option(
+      names = "--scene",
+      paramLabel = "S.ttl",
+      completionCandidates = Shipped.Scenes.class,
+      description = "Of which the sky counts, and where devices stand: a file, or a shipped scene.")
+  private Optional<String> scene = Optional.empty();
 
   @Option(
       names = "--places",
@@ -74,14 +83,23 @@ final class CalibrateCameraCommand implements Callable<Integer> {
       throw CommandException.badInput(
           "There are 1 to %d places, not %d.".formatted(MOST_PLACES, places));
     }
+    if (given.containsKey(FROM_PIXELS)) {
+      throw CommandException.badInput(
+          "Calibrated is the detection in pictures: leave %s away.".formatted(FROM_PIXELS));
+    }
     Home loaded = Shipped.home(home);
+    Scene truth =
+        scene
+            .or(() -> Shipped.usualScene(home))
+            .map(name -> Shipped.scene(name, loaded))
+            .orElseGet(() -> new Scene("bare", Map.of()));
     PhysicalParameters parameters = PhysicalParameters.standard().with(given);
     String eye = chosen(camera, CameraCalibration.cameras(loaded), "camera", "--camera");
     String wanted =
         chosen(thing, CameraCalibration.things(loaded), "thing with a colour", "--thing");
     CalibrationReport report;
     try (CameraCalibration calibration =
-        new CameraCalibration(loaded, eye, wanted, parameters, seed)) {
+        new CameraCalibration(loaded, truth, eye, wanted, parameters, seed)) {
       report = new CalibrationReport(calibration.carriedOut(places));
     }
     PrintWriter out = spec.commandLine().getOut();

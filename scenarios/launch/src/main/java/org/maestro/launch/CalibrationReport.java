@@ -37,12 +37,13 @@ record CalibrationReport(Calibrated calibrated) {
     LogisticFit bright = calibrated.overLit();
     out.printf(
         Locale.ROOT,
-        "%nHalf of the frames show it in %.1f lux, nearly all from %.1f lux to %.0f lux, half in %.0f"
-            + " lux.%nThe model errs by %.1f %% in the mean and by %.0f %% at most.%n",
+        "%nHalf of the frames show it in %.1f lux, and in %.0f lux again; %s.%n",
         dark.halfLux(),
-        dark.fitLux(),
-        bright.fitLux(),
         bright.halfLux(),
+        nearlyAll());
+    out.printf(
+        Locale.ROOT,
+        "The model errs by %.1f %% in the mean and by %.0f %% at most.%n",
         100 * calibrated.meanError(),
         100 * calibrated.greatestError());
     out.printf(
@@ -56,6 +57,18 @@ record CalibrationReport(Calibrated calibrated) {
     calibrated
         .settings()
         .forEach((name, value) -> out.printf(Locale.ROOT, "  --set %s=%.4g%n", name, value));
+  }
+
+  private String nearlyAll() {
+    OptionalDouble least = calibrated.leastLux();
+    OptionalDouble most = calibrated.greatestLux();
+    return least.isPresent() && most.isPresent()
+        ? String.format(
+            Locale.ROOT,
+            "nearly all did from %.1f to %.0f lux",
+            least.getAsDouble(),
+            most.getAsDouble())
+        : "in no light nearly all did";
   }
 
   private List<List<String>> rows() {
