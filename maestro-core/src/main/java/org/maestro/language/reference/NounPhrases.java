@@ -11,10 +11,12 @@ import java.util.Set;
 import java.util.function.Predicate;
 import org.maestro.language.grammar.Form;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.NamedPoints;
 import org.maestro.ontology.vocabulary.ClassDeclaration;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Point;
 import org.maestro.sl.Substitution;
 import org.maestro.sl.Term;
 import org.maestro.sl.TypedVariable;
@@ -126,9 +128,21 @@ public final class NounPhrases {
       case "speaker" -> person(situation.speaker(), phrase, className);
       case "self" -> person(situation.self(), phrase, className);
       case "everything" -> everything(phrase, className);
+      case "point" -> point(phrase, className);
       case "_" -> new Reference.Unsaid();
       default -> new Reference.None(phrase);
     };
+  }
+
+  /** Coordinates, metres; on the floor unless a height is said. */
+  private Reference point(Form phrase, String className) {
+    double height = phrase.parts().size() > 2 ? Double.parseDouble(phrase.text(2)) : 0;
+    Point point =
+        new Point(Double.parseDouble(phrase.text(0)), Double.parseDouble(phrase.text(1)), height);
+    return className.isEmpty()
+            || situation.home().vocabulary().mayBeBoth(NamedPoints.CLASS, className)
+        ? new Reference.Single(new Term.Name(point.name()))
+        : new Reference.Mistyped(phrase);
   }
 
   /** The phrase with a place that was said after it. */

@@ -31,7 +31,9 @@ import org.maestro.sl.Term;
 public record NamedPoints(Set<Point> points) {
   public static final NamedPoints NONE = new NamedPoints(Set.of());
 
-  static final String CLASS = "Point";
+  /** The class of points. */
+  public static final String CLASS = "Point";
+
   private static final double IN_A_WALL_METRES = 1e-3;
 
   public NamedPoints {
