@@ -239,8 +239,10 @@ public final class Grounder {
   private double changing(Object want, double left, List<Operator> into) {
     double cheapestLeftOut = Double.POSITIVE_INFINITY;
     Offers offers = work.offers();
-    for (int template : work.mayChange(want)) {
-      PricedFeature feature = offers.feature(template);
+    ChangersOfWant changers = work.changers(want);
+    List<Integer> features = changers.features();
+    for (int i = 0; i < features.size(); i++) {
+      PricedFeature feature = offers.feature(features.get(i));
       if (!offers.mayBringAbout(feature.type(), want)) {
         continue;
       }
@@ -248,9 +250,9 @@ public final class Grounder {
       if (price > left) {
         cheapestLeftOut = Math.min(cheapestLeftOut, price);
       } else if (usesBarred || barred.isEmpty()) {
-        into.addAll(work.changing(want, template));
+        into.addAll(work.changing(want, changers, i));
       } else {
-        work.changing(want, template).stream()
+        work.changing(want, changers, i).stream()
             .filter(operator -> !barred.contains(operator.key()))
             .forEach(into::add);
       }

@@ -79,7 +79,10 @@ public final class GroundingCache {
   private final Map<List<OwnStep>, OwnGraph> ownGraphs = new HashMap<>();
 
   private final Map<String, ChangersByArgument> changers = new HashMap<>();
-  private final Map<Object, List<Integer>> mayChange = new HashMap<>();
+  private final Map<Object, ChangersOfWant> changersOfWants = new HashMap<>();
+
+  /** How often all that was made of a feature was forgotten. */
+  private final Map<Integer, Integer> versions = new HashMap<>();
 
   private final ChangeLog changes = new ChangeLog();
   private int generation;
@@ -150,7 +153,7 @@ public final class GroundingCache {
       Map<Integer, Integer> before = offers.ranks();
       offers.become(next.features()).forEach(this::forgetPriced);
       if (!offers.ranks().equals(before)) {
-        mayChange.clear();
+        changersOfWants.clear();
       }
     }
     return renewed;
@@ -184,6 +187,7 @@ public final class GroundingCache {
         .forEach(templateOf::remove);
     made.remove(template);
     changing.remove(template);
+    versions.merge(template, 1, Integer::sum);
     settingPrices.remove(template);
     ownSteps.remove(template);
   }
@@ -209,7 +213,7 @@ public final class GroundingCache {
     templateOf.clear();
     changing.clear();
     settingPrices.clear();
-    mayChange.clear();
+    changersOfWants.clear();
   }
 
   /** Grows whenever all instances are forgotten: what was made of them is of no more use. */
@@ -326,8 +330,20 @@ public final class GroundingCache {
     return List.copyOf(steps);
   }
 
-  /** The operators of one feature that bring about or change what is wanted. */
-  List<Operator> changing(Object want, int template) {
+  /**
+   * The operators of one feature that bring about or change what is wanted.
+   *
+   * @param changers those of the want
+   * @param index of the feature among them
+   */
+  List<Operator> changing(Object want, ChangersOfWant changers, int index) {
+    return changers.operators(
+        index,
+        template -> versions.getOrDefault(template, 0),
+        template -> changing(want, template));
+  }
+
+  private List<Operator> changing(Object want, int template) {
     Map<Object, List<Operator>> byWant =
         changing.computeIfAbsent(template, absent -> new HashMap<>());
     List<Operator> known = byWant.get(want);
@@ -432,7 +448,13 @@ public final class GroundingCache {
 
   /** The numbers of the features that may bring about or change what is wanted. */
   List<Integer> mayChange(Object want) {
-    return mayChange.computeIfAbsent(want, this::mayChangeAnew);
+    return changers(want).features();
+  }
+
+  /** The same with the operators that do. */
+  ChangersOfWant changers(Object want) {
+    return changersOfWants.computeIfAbsent(
+        want, absent -> new ChangersOfWant(mayChangeAnew(absent)));
   }
 
   private List<Integer> mayChangeAnew(Object want) {
