@@ -16,6 +16,7 @@ import org.maestro.agents.runtime.MaestroAgent;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.LatestAccess;
 import org.maestro.sl.Content;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -35,13 +36,10 @@ public final class ToldRights {
   private final MaestroAgent agent;
   private final Supplier<Home> home;
   private final Map<String, Told> toldByMember = new TreeMap<>();
-  private Optional<Read> latest = Optional.empty();
+  private final LatestAccess access = new LatestAccess();
   private int unconfirmed;
 
   private record Told(AID agent, List<Content.Argument> rights) {}
-
-  /** To look through a home for permissions takes long where many devices come at once. */
-  private record Read(Home home, AccessList list) {}
 
   /**
    * @param agent that tells them
@@ -109,12 +107,7 @@ public final class ToldRights {
     }
   }
 
-  @SuppressWarnings("ReferenceEquality") // Another state of the home is another object.
   private AccessList list() {
-    Home now = home.get();
-    Read read =
-        latest.filter(one -> one.home() == now).orElseGet(() -> new Read(now, AccessList.of(now)));
-    latest = Optional.of(read);
-    return read.list();
+    return access.of(home.get());
   }
 }

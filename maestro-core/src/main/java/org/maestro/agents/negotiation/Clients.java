@@ -10,6 +10,7 @@ import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.ontology.home.AccessList;
 import org.maestro.ontology.home.Device;
 import org.maestro.ontology.home.Home;
+import org.maestro.ontology.home.LatestAccess;
 
 /**
  * For whom the central agent pursues its goals, and what they may have others asked for. Agent
@@ -20,6 +21,7 @@ public final class Clients {
   private final Function<String, Optional<String>> requesterOf;
   private final ProtocolViolations story;
   private final Once told = new Once();
+  private final LatestAccess access = new LatestAccess();
 
   /**
    * @param requesterOf who asked for a goal, by its id
@@ -36,20 +38,19 @@ public final class Clients {
 
   /** For whom, where that matters. */
   public Optional<String> of(String goalId) {
-    return AccessList.of(knowledge.home()).isOpen() ? Optional.empty() : requesterOf.apply(goalId);
+    return access.of(knowledge.home()).isOpen() ? Optional.empty() : requesterOf.apply(goalId);
   }
 
   /** Which of the member's features are not to be used for the goal, each with the reason. */
   List<Refused> refused(String goalId, String member, List<String> features) {
     Home home = knowledge.home();
-    AccessList access = AccessList.of(home);
+    AccessList list = access.of(home);
     Optional<Device> device = Optional.ofNullable(home.devices().get(member));
     Optional<Caller> client = requesterOf.apply(goalId).map(Caller::parse);
     List<Refused> refused = new ArrayList<>();
-    if (!access.isOpen() && device.isPresent() && client.isPresent()) {
+    if (!list.isOpen() && device.isPresent() && client.isPresent()) {
       for (String feature : features) {
-        access
-            .objection(client.get().names(), device.get(), feature)
+        list.objection(client.get().names(), device.get(), feature)
             .ifPresent(reason -> refused.add(new Refused(feature, reason)));
       }
     }
