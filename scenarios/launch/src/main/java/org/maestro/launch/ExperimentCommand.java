@@ -104,8 +104,13 @@ final class ExperimentCommand implements Callable<Integer> {
     ProgressBar bar = new ProgressBar(spec.commandLine().getErr());
     Thread interruption = new Thread(() -> interrupted(course, target, bar), "interruption");
     Runtime.getRuntime().addShutdownHook(interruption);
-    course.carryOut(bar);
-    if (isUnderWay(interruption)) {
+    boolean isInterrupted;
+    try {
+      course.carryOut(bar);
+    } finally {
+      isInterrupted = isUnderWay(interruption);
+    }
+    if (isInterrupted) {
       return ExitCode.NOT_REACHED;
     }
     report(course, target);

@@ -89,6 +89,14 @@ final class Failures implements IExecutionExceptionHandler, IParameterExceptionH
     return message.strip().replaceAll("\\s*\\R\\s*", " ");
   }
 
+  /** Of what no program reckons with. */
+  static String sentence(Error failure) {
+    return failure instanceof OutOfMemoryError
+        ? "The memory of this process does not suffice (%s)."
+            .formatted(Objects.requireNonNullElse(failure.getMessage(), "no more is known"))
+        : "The program itself is at fault (%s); the log says where.".formatted(failure);
+  }
+
   static int exitCode(Exception failure) {
     if (failure instanceof CommandException own) {
       return own.exitCode();

@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Set;
 import org.maestro.display.VisibleWriter;
 import org.maestro.text.VisibleText;
+import org.slf4j.LoggerFactory;
 import org.slf4j.bridge.SLF4JBridgeHandler;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -123,7 +124,18 @@ public final class Maestro implements Runnable {
     // Before the command line is made: picocli goes back to plain writers when these change later.
     System.setOut(StrayOutput.before(people));
     System.setErr(StrayOutput.before(people));
-    System.exit(commandLine(out, people, named(arguments)).execute(arguments));
+    System.exit(carriedOut(commandLine(out, people, named(arguments)), people, arguments));
+  }
+
+  /** What is no exception, such as that memory does not suffice, would be printed nowhere. */
+  static int carriedOut(CommandLine line, PrintStream people, String... arguments) {
+    try {
+      return line.execute(arguments);
+    } catch (Error failure) {
+      people.println("maestro: " + VisibleText.line(Failures.sentence(failure)));
+      LoggerFactory.getLogger(Maestro.class).error("The command ended by an error", failure);
+      return ExitCode.OUTSIDE;
+    }
   }
 
   /** The command that is named first; all where none is, so that the help tells of them. */

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
 
 /** What people type wrongly, or at a bad moment: one sentence and the right exit code. */
 class CommandLineTest {
@@ -108,6 +110,30 @@ class CommandLineTest {
       assertThat(said.exitCode()).isEqualTo(3);
       assertThat(said.err()).contains("Port " + taken.getLocalPort() + " is in use");
     }
+  }
+
+  @Test
+  void whatIsNoExceptionIsASentenceToo() {
+    assertThat(failing(new OutOfMemoryError("Java heap space")))
+        .isEqualTo("maestro: The memory of this process does not suffice (Java heap space).");
+    assertThat(failing(new StackOverflowError()))
+        .isEqualTo(
+            "maestro: The program itself is at fault (java.lang.StackOverflowError); the log says"
+                + " where.");
+  }
+
+  private static String failing(Error failure) {
+    ByteArrayOutputStream told = new ByteArrayOutputStream();
+    Runnable command =
+        () -> {
+          throw failure;
+        };
+    int exitCode =
+        Maestro.carriedOut(
+            new CommandLine(CommandSpec.wrapWithoutInspection(command)),
+            new PrintStream(told, true, StandardCharsets.UTF_8));
+    assertThat(exitCode).isEqualTo(ExitCode.OUTSIDE);
+    return told.toString(StandardCharsets.UTF_8).strip();
   }
 
   @Test
