@@ -264,7 +264,9 @@ final class BudgetedSearch {
     if (mayWait && sought.stream().anyMatch(grounder.chances()::isLikelierOutOfView)) {
       return new OptimalSearch.Outcome.TooDear(budget);
     }
-    MostLikelyState likeliest = MostLikelyState.likeliest(sought, grounder.chances());
+    MostLikelyState likeliest =
+        MostLikelyState.likeliest(
+            sought, grounder.chances(), pruned.problem().placed(), pruned.relaxed());
     OptimalSearch.Outcome outcome =
         search(Pruning.pruned(likeliest.appliedTo(pruned.problem())), effort, budget);
     pruned.problem().placed();

@@ -65,6 +65,9 @@ final class KeptPlanning {
   /** Of the last plan, proven or not. */
   private double lastCost;
 
+  /** Whether the last plan was to find something; then the next one probably is as well. */
+  private boolean isSeeking;
+
   /** For those who were there at different times, the newest first. */
   private final Deque<KeptGround> grounds = new ArrayDeque<>();
 
@@ -113,12 +116,13 @@ final class KeptPlanning {
         return keeping(again.get(), rest, ground.problem());
       }
     }
-    double budget = rest.map(Plan::cost).orElseGet(this::withoutRest);
+    double budget = isSeeking ? 0 : rest.map(Plan::cost).orElseGet(this::withoutRest);
     BudgetedSearch search = new BudgetedSearch(task, grounder, mostStates, true);
     PlanningResult result = search.run(budget);
     changed.clear();
     proven = Optional.empty();
     lastCost = result instanceof PlanningResult.Found found ? found.plan().cost() : 0;
+    isSeeking = result instanceof PlanningResult.Found found && !found.plan().searches().isEmpty();
     if (result instanceof PlanningResult.Found found && isProof(found, search)) {
       search.kept(found.plan().cost()).ifPresent(grounds::addFirst);
       if (grounds.size() > MOST_GROUNDS) {

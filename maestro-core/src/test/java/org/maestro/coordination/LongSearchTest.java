@@ -2,13 +2,20 @@ package org.maestro.coordination;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
+import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.Stakes;
 import org.maestro.knowledge.api.Source;
 import org.maestro.ontology.home.Home;
 import org.maestro.ontology.home.HomeLoader;
+import org.maestro.sl.Expression;
+import org.maestro.sl.SlParser;
 import org.maestro.sl.Term;
 
 /** A thing may be anywhere in a house of many rooms. */
@@ -22,21 +29,142 @@ class LongSearchTest {
   @Test
   void aThingInTheRoomThatIsLookedAtLastIsFound() {
     PretendHouse house = lit();
-    house.made.put(
-        "observeObject cam-" + LAST,
-        step ->
-            PretendHouse.succeeded(
-                Map.of(
-                    "found",
-                    new Term.Truth(true),
-                    "pose",
-                    new Term.Text("%d 1 0".formatted(3 * LAST + 1)))));
+    foundIn(house, LAST);
 
     GoalOutcome outcome = house.achieve("(in Cup ?where)");
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(outcome.binding()).containsEntry("where", new Term.Name("zone-" + LAST));
     assertThat(house.calls).hasSize(ROOMS);
+  }
+
+  @Test
+  void asManyLooksAtOnceAsWereInVain() {
+    PretendHouse house = lit();
+    List<Integer> inVain = new ArrayList<>();
+    List<Integer> atOnce = new ArrayList<>();
+    int[] begun = new int[1];
+    int[] ended = new int[1];
+    house.ordered =
+        order -> {
+          begun[0]++;
+          inVain.add(ended[0]);
+          atOnce.add(begun[0] - ended[0]);
+        };
+    house.beforeCall = call -> ended[0]++;
+
+    house.achieve("(in Cup ?where)");
+
+    assertThat(begun[0]).isEqualTo(ROOMS);
+    for (int look = 0; look < begun[0]; look++) {
+      assertThat(atOnce.get(look)).isLessThanOrEqualTo(1 + Math.min(16, inVain.get(look)));
+    }
+    assertThat(atOnce).contains(16);
+    assertThat(house.clock.now()).isLessThan(house.stepTakes.multipliedBy(ROOMS / 4));
+  }
+
+  @Test
+  void whatIsFoundEndsTheOtherLooks() {
+    PretendHouse house = lit();
+    foundIn(house, 40);
+
+    GoalOutcome outcome = house.achieve("(in Cup ?where)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(outcome.binding()).containsEntry("where", new Term.Name("zone-40"));
+    assertThat(outcome.calls()).isLessThan(10);
+    house.clock.run(Duration.ofMinutes(1));
+    assertThat(house.calls).hasSizeLessThan(ROOMS + 1);
+    assertThat(house.coordinator.isAtWork()).isFalse();
+    assertThat(house.coordinator.waits()).isEmpty();
+  }
+
+  @Test
+  void aFewRoomsAreLookedAtOneAfterTheOther() {
+    PretendHouse house = lit(8);
+    int[] underway = new int[1];
+    List<Integer> atOnce = new ArrayList<>();
+    house.ordered = order -> atOnce.add(++underway[0]);
+    house.beforeCall = call -> underway[0]--;
+
+    house.achieve("(in Cup ?where)");
+
+    assertThat(atOnce).hasSize(8).containsOnly(1);
+  }
+
+  @Test
+  void whereTimeHasAPriceTheyAreLookedAtAtOnce() {
+    PretendHouse house = lit(8);
+    int[] underway = new int[1];
+    List<Integer> atOnce = new ArrayList<>();
+    house.ordered = order -> atOnce.add(++underway[0]);
+    house.beforeCall = call -> underway[0]--;
+    List<GoalOutcome> outcome = new ArrayList<>();
+
+    house.coordinator.submit(
+        new GoalRequest(SlParser.formula("(in Cup ?where)"), "Bob")
+            .with(
+                new Stakes(new Expression.OfTerm(new Term.Number(600)))
+                    .allowed(Duration.ofMinutes(1))),
+        outcome::add);
+    house.clock.runUntil(() -> !outcome.isEmpty(), Duration.ofMinutes(10));
+
+    assertThat(atOnce).hasSize(8).contains(8);
+  }
+
+  @Test
+  void aLookThatFailsIsTriedByThePlan() {
+    PretendHouse house = lit();
+    int[] tries = new int[1];
+    house.made.put(
+        "observeObject cam-40",
+        step -> ++tries[0] == 1 ? PretendHouse.failed("blinded", List.of()) : found(40));
+
+    GoalOutcome outcome = house.achieve("(in Cup ?where)");
+
+    assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(tries[0]).isEqualTo(2);
+  }
+
+  @Test
+  void theStoryTellsOfThem() {
+    PretendHouse house = lit();
+
+    house.achieve("(in Cup ?where)");
+
+    assertThat(String.join("\n", house.story))
+        .contains("[0.1] Looks meanwhile whether Cup is in zone-")
+        .contains("[0.1] cam-")
+        .contains("looks beside each other");
+  }
+
+  @Test
+  void aRestartAmongManyLooksDoesNoneTwiceForNothing() {
+    PretendHouse house = lit();
+    foundIn(house, 60);
+    List<GoalOutcome> outcome = new ArrayList<>();
+    house.coordinator.submit(
+        new GoalRequest(SlParser.formula("(in Cup ?where)"), "Bob"), outcome::add);
+    house.clock.runUntil(() -> house.calls.size() > 20, Duration.ofMinutes(10));
+
+    house.restart(outcome::add);
+    house.clock.runUntil(() -> !outcome.isEmpty(), Duration.ofMinutes(10));
+
+    assertThat(outcome.get(0).reached()).as(String.join("\n", house.story)).isTrue();
+    assertThat(house.coordinator.waits()).isEmpty();
+  }
+
+  private static void foundIn(PretendHouse house, int room) {
+    house.made.put("observeObject cam-" + room, step -> found(room));
+  }
+
+  private static ActionDispatcher.Report found(int room) {
+    return PretendHouse.succeeded(
+        Map.of(
+            "found",
+            new Term.Truth(true),
+            "pose",
+            new Term.Text("%d 1 0".formatted(3 * room + 1))));
   }
 
   @Test
@@ -50,9 +178,13 @@ class LongSearchTest {
   }
 
   private static PretendHouse lit() {
-    PretendHouse house = new PretendHouse(home());
+    return lit(ROOMS);
+  }
+
+  private static PretendHouse lit(int rooms) {
+    PretendHouse house = new PretendHouse(home(rooms));
     house.place.put("Cup", "nowhere");
-    for (int room = 0; room < ROOMS; room++) {
+    for (int room = 0; room < rooms; room++) {
       house.ambientLux.put("zone-" + room, 100.0);
       house.knowledge.state(
           new Source(Source.Kind.OBSERVED, "somebody"),
@@ -61,7 +193,7 @@ class LongSearchTest {
     return house;
   }
 
-  private static Home home() {
+  private static Home home(int rooms) {
     StringBuilder turtle =
         new StringBuilder(
             """
@@ -72,7 +204,7 @@ class LongSearchTest {
             <https://w3id.org/maestro/home/row> a maestro:Home ; rdfs:label "row" .
             home:Cup a :Item ; :colour "red" ; :size "0.1 0.1 0.1" ; :mass 0.2 .
             """);
-    for (int room = 0; room < ROOMS; room++) {
+    for (int room = 0; room < rooms; room++) {
       int x = 3 * room;
       turtle.append(
           """

@@ -353,7 +353,7 @@ public final class PretendHouse implements ActionDispatcher {
     return new Report(true, outputs, Optional.empty(), List.of());
   }
 
-  private static Report failed(String problem, List<FeatureRun.Learnt> refs) {
+  static Report failed(String problem, List<FeatureRun.Learnt> refs) {
     return new Report(false, Map.of(), Optional.of(problem), refs);
   }
 }

@@ -1,12 +1,11 @@
 package org.maestro.coordination.achievement;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
@@ -17,22 +16,16 @@ import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.Takeover;
-import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
-import org.maestro.coordination.contention.StepsUnderway;
 import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.recovery.FormerLessons;
 import org.maestro.coordination.story.Decisions;
-import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
-import org.maestro.coordination.story.GoalStory;
-import org.maestro.coordination.story.PlanRecords;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Plan;
-import org.maestro.planning.api.Step;
 import org.maestro.sl.Change;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
@@ -41,11 +34,9 @@ import org.maestro.sl.Term;
  * A goal that is reached once: planned ({@link GoalPlanning}), its plan followed ({@link
  * PlanFollowing}), seen, ended ({@link GoalEnding}). The coordinator's thread only.
  */
-public final class AchievementGoal implements ActiveGoal, GoalTransitions {
-  private final PursuitParts parts;
-  private final GoalLife life;
+public final class AchievementGoal extends PlannedPursuit {
   private final GoalPlanning planning;
-  private final PlanFollowing following;
+  private final LooksBeside looks;
   private final GoalEnding ending;
 
   /**
@@ -60,12 +51,10 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
       ExactPrices exactPrices,
       VainDeeds deeds,
       Consumer<GoalOutcome> ended) {
-    GoalStory story = new GoalStory(id, ports.story(), ports.clock(), ports.knowledge());
-    this.life = new GoalLife(id, request, ports, story, ended);
-    this.parts = PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices, deeds);
+    super(id, request, ports, roster, activeGoals, exactPrices, deeds, PlanPurpose.REACH, ended);
     this.planning = new GoalPlanning(parts, this);
-    this.following = new PlanFollowing(parts, this);
-    this.ending = new GoalEnding(parts, following::release, this);
+    this.looks = new LooksBeside(parts, this::lookIsOver);
+    this.ending = new GoalEnding(parts, this::release, this);
   }
 
   @Override
@@ -74,14 +63,6 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
       parts.story().submitted(life.request());
       makePlan(Optional.empty());
     }
-  }
-
-  @Override
-  public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
-    life.takeUp(goal);
-    parts.resourceClaims().takeUp(goal.keeps());
-    parts.monitor().lessons().takeUp(goal.memory());
-    life.become(GoalPhase.RECOVERING, awaited);
   }
 
   @Override
@@ -141,18 +122,8 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public void memberLost(String member) {
-    following.memberLost(member);
-  }
-
-  @Override
   public void offered(Takeover offer) {
     following.offered(offer);
-  }
-
-  @Override
-  public void givenBack(String member, String feature, String reason) {
-    following.givenBack(member, feature, reason);
   }
 
   @Override
@@ -162,12 +133,18 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
 
   @Override
   public void makePlan(Optional<String> why) {
-    planning.makePlan(why);
+    if (life.phase() == GoalPhase.RUNNING && looks.goOnAlone()) {
+      awaitLooks();
+    } else if (life.phase() != GoalPhase.WAITING_FOR_LOOKS || !looks.goOnAlone()) {
+      planning.makePlan(why);
+    }
   }
 
-  @Override
-  public boolean isPlanning() {
-    return life.phase().isPlanning();
+  private void awaitLooks() {
+    parts.plan().drop();
+    parts.resourceClaims().letGo();
+    life.become(GoalPhase.WAITING_FOR_LOOKS, "for looks beside each other");
+    parts.story().awaitsLooks();
   }
 
   @Override
@@ -178,11 +155,28 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   @Override
   public void adopt(Plan found, ContractNet.Round tender) {
     following.adopt(found, tender);
+    looks.adopted(found);
+  }
+
+  private void release(GoalState how) {
+    looks.end();
+    following.release(how);
   }
 
   @Override
   public void noPlan(PlanningRound.Ended round) {
-    ending.noPlan(round);
+    if (looks.isAny()) {
+      awaitLooks();
+    } else {
+      ending.noPlan(round);
+    }
+  }
+
+  /** Without a plan of its own it waits for those looks. */
+  private void lookIsOver() {
+    if (life.phase() == GoalPhase.WAITING_FOR_LOOKS && (looks.haveFound() || !looks.isAny())) {
+      makePlan(Optional.of(looks.haveFound() ? "what it seeks is found" : "all looks are over"));
+    }
   }
 
   @Override
@@ -207,11 +201,6 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public String id() {
-    return life.id();
-  }
-
-  @Override
   public GoalStatus status() {
     return life.status(parts.activeGoals().leases().waitsOf(life.id()))
         .worth(parts.activeGoals().appraisals().find(life.id()));
@@ -220,16 +209,6 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
   @Override
   public Decisions decisions() {
     return planning.decisions();
-  }
-
-  @Override
-  public PlanRecords plans() {
-    return parts.story().plans();
-  }
-
-  @Override
-  public StepsUnderway underway() {
-    return parts.underway();
   }
 
   @Override
@@ -249,47 +228,5 @@ public final class AchievementGoal implements ActiveGoal, GoalTransitions {
             now,
             isHolding(),
             !life.phase().isResting() && parts.activeGoals().leases().isBefore(id(), other));
-  }
-
-  @Override
-  public boolean isTied(String member) {
-    return parts.resourceClaims().isTied(member);
-  }
-
-  @Override
-  public double remainingSeconds() {
-    return parts.plan().remaining().stream().mapToDouble(Step::seconds).sum();
-  }
-
-  @Override
-  public OptionalDouble remainingCost() {
-    return parts.plan().exists()
-        ? OptionalDouble.of(parts.plan().remaining().stream().mapToDouble(Step::cost).sum())
-        : OptionalDouble.empty();
-  }
-
-  @Override
-  public Duration pursuedSince() {
-    return life.submittedAt();
-  }
-
-  @Override
-  public double secondsOfRunningSteps() {
-    return parts.underway().steps().stream().mapToDouble(Step::seconds).max().orElse(0);
-  }
-
-  @Override
-  public void giveWayTo(String other) {
-    parts.preemption().giveWay(other);
-  }
-
-  @Override
-  public void standBackFor(String other) {
-    parts.preemption().standBackFor(other);
-  }
-
-  @Override
-  public void stepBackFor(String other) {
-    parts.preemption().stepBackFor(other);
   }
 }

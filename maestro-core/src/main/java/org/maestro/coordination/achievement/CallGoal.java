@@ -1,12 +1,11 @@
 package org.maestro.coordination.achievement;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.CallArguments;
 import org.maestro.coordination.api.CallForPrices;
@@ -14,24 +13,16 @@ import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
-import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Proposal;
 import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.api.Sentences;
-import org.maestro.coordination.contention.ActiveGoal;
 import org.maestro.coordination.contention.ActiveGoals;
-import org.maestro.coordination.contention.StepsUnderway;
-import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
-import org.maestro.coordination.story.GoalLife;
 import org.maestro.coordination.story.GoalPhase;
-import org.maestro.coordination.story.GoalStory;
-import org.maestro.coordination.story.PlanRecords;
-import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Plan;
 import org.maestro.planning.api.Step;
@@ -43,12 +34,9 @@ import org.maestro.sl.Term;
  * One call of one member, as a step of a script wants it: with the same leases, words and waits as
  * the steps of plans, and made once. The coordinator's thread only.
  */
-public final class CallGoal implements ActiveGoal, GoalTransitions {
+public final class CallGoal extends PlannedPursuit {
   private final FeatureCall call;
   private final LastReport reports;
-  private final PursuitParts parts;
-  private final GoalLife life;
-  private final PlanFollowing following;
 
   public CallGoal(
       String id,
@@ -59,14 +47,40 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
       ActiveGoals activeGoals,
       ExactPrices exactPrices,
       Consumer<GoalOutcome> ended) {
+    this(
+        id,
+        call,
+        request,
+        ports,
+        new LastReport(ports.dispatcher()),
+        roster,
+        activeGoals,
+        exactPrices,
+        ended);
+  }
+
+  private CallGoal(
+      String id,
+      FeatureCall call,
+      GoalRequest request,
+      Ports ports,
+      LastReport reports,
+      Roster roster,
+      ActiveGoals activeGoals,
+      ExactPrices exactPrices,
+      Consumer<GoalOutcome> ended) {
+    super(
+        id,
+        request,
+        ports.with(reports),
+        roster,
+        activeGoals,
+        exactPrices,
+        new VainDeeds(),
+        PlanPurpose.REACH,
+        ended);
     this.call = call;
-    this.reports = new LastReport(ports.dispatcher());
-    Ports own = ports.with(reports);
-    GoalStory story = new GoalStory(id, own.story(), own.clock(), own.knowledge());
-    this.life = new GoalLife(id, request, own, story, ended);
-    this.parts =
-        PursuitParts.of(life, story, own, roster, activeGoals, exactPrices, new VainDeeds());
-    this.following = new PlanFollowing(parts, this);
+    this.reports = reports;
   }
 
   @Override
@@ -154,14 +168,6 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public void prepareToTakeUp(Recovery.UnfinishedGoal goal, String awaited) {
-    life.takeUp(goal);
-    parts.resourceClaims().takeUp(goal.keeps());
-    parts.monitor().lessons().takeUp(goal.memory());
-    life.become(GoalPhase.RECOVERING, awaited);
-  }
-
-  @Override
   public void takeUp(Recovery.UnfinishedGoal goal, FormerCalls former) {
     if (life.isOver()) {
       goal.calls().forEach(begun -> former.giveUp(begun, "its goal is over"));
@@ -238,18 +244,8 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public boolean isPlanning() {
-    return life.phase().isPlanning();
-  }
-
-  @Override
   public void makePlanAgain(String why) {
     makePlan(Optional.of(why));
-  }
-
-  @Override
-  public void adopt(Plan found, ContractNet.Round tender) {
-    following.adopt(found, tender);
   }
 
   @Override
@@ -260,11 +256,6 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
   @Override
   public void noPlanToSeeIt() {
     end(GoalState.ACHIEVED, List.of());
-  }
-
-  @Override
-  public void advance() {
-    following.advance();
   }
 
   /** Nothing is to be so afterwards: it is over when the call is. */
@@ -293,48 +284,8 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
   }
 
   @Override
-  public String id() {
-    return life.id();
-  }
-
-  @Override
-  public GoalStatus status() {
-    return life.status(parts.activeGoals().leases().waitsOf(life.id()));
-  }
-
-  @Override
   public Decisions decisions() {
     return new Decisions();
-  }
-
-  @Override
-  public PlanRecords plans() {
-    return parts.story().plans();
-  }
-
-  @Override
-  public void knowledgeChanged(KnowledgeBase.Change change, FactFilter changed) {
-    following.knowledgeChanged(change, changed);
-  }
-
-  @Override
-  public void memberLost(String member) {
-    following.memberLost(member);
-  }
-
-  @Override
-  public void givenBack(String member, String feature, String reason) {
-    following.givenBack(member, feature, reason);
-  }
-
-  @Override
-  public StepsUnderway underway() {
-    return parts.underway();
-  }
-
-  @Override
-  public boolean isHolding() {
-    return false;
   }
 
   @Override
@@ -342,45 +293,5 @@ public final class CallGoal implements ActiveGoal, GoalTransitions {
     return life.isOver() || life.state() == GoalState.SUSPENDED
         ? Optional.empty()
         : parts.resourceClaims().spoiledBy(changes, now, false, false);
-  }
-
-  @Override
-  public boolean isTied(String member) {
-    return parts.resourceClaims().isTied(member);
-  }
-
-  @Override
-  public double remainingSeconds() {
-    return parts.plan().remaining().stream().mapToDouble(Step::seconds).sum();
-  }
-
-  @Override
-  public OptionalDouble remainingCost() {
-    return OptionalDouble.of(parts.plan().remaining().stream().mapToDouble(Step::cost).sum());
-  }
-
-  @Override
-  public Duration pursuedSince() {
-    return life.submittedAt();
-  }
-
-  @Override
-  public double secondsOfRunningSteps() {
-    return parts.underway().steps().stream().mapToDouble(Step::seconds).max().orElse(0);
-  }
-
-  @Override
-  public void giveWayTo(String other) {
-    parts.preemption().giveWay(other);
-  }
-
-  @Override
-  public void standBackFor(String other) {
-    parts.preemption().standBackFor(other);
-  }
-
-  @Override
-  public void stepBackFor(String other) {
-    parts.preemption().stepBackFor(other);
   }
 }

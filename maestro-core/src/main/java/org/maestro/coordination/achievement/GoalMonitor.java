@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.Ports;
@@ -55,18 +56,31 @@ final class GoalMonitor {
   private List<PricedFeature> features = List.of();
   private Optional<Confirmation> confirmation = Optional.empty();
   private Instant confirmedSince = Instant.MIN;
-  private PlanPurpose purpose = PlanPurpose.REACH;
-  private PlanPurpose nextPurpose = PlanPurpose.REACH;
+  private final PlanPurpose usually;
+  private PlanPurpose purpose;
+  private PlanPurpose nextPurpose;
   private int timesFoundOut;
+  private Set<Formula.Atom> soughtBeside = Set.of();
 
+  /**
+   * @param usually what plans for the goal are made for
+   */
   GoalMonitor(
-      String goalId, GoalRequest request, Ports ports, ActiveGoals activeGoals, VainDeeds deeds) {
+      String goalId,
+      GoalRequest request,
+      Ports ports,
+      ActiveGoals activeGoals,
+      VainDeeds deeds,
+      PlanPurpose usually) {
     this.goalId = goalId;
     this.goal = Assured.of(request.goal(), ports.knowledge().home().vocabulary());
     this.ports = ports;
     this.activeGoals = activeGoals;
     this.lessons = new GoalLessons(goalId, ports, activeGoals, deeds);
     this.check = new PlanCheck(ports.planner());
+    this.usually = usually;
+    this.purpose = usually;
+    this.nextPurpose = usually;
   }
 
   String goalId() {
@@ -135,7 +149,7 @@ final class GoalMonitor {
   }
 
   PlanningRound.Subject subject() {
-    return new PlanningRound.Subject(goalId, goal, confirmation, isFindingOut());
+    return new PlanningRound.Subject(goalId, goal, confirmation, purpose);
   }
 
   /** Whether the member offers anything that could be part of a plan for the goal. */
@@ -174,7 +188,7 @@ final class GoalMonitor {
   /** A plan is to be made now. */
   void planBegins() {
     purpose = nextPurpose;
-    nextPurpose = PlanPurpose.REACH;
+    nextPurpose = usually;
   }
 
   /**
@@ -185,14 +199,17 @@ final class GoalMonitor {
     nextPurpose = PlanPurpose.REACH_TRUSTING;
   }
 
-  boolean isTrusting() {
-    return purpose == PlanPurpose.REACH_TRUSTING;
+  Facts factsForPlans() {
+    FactsMaskedByRunningSteps present = presentFacts();
+    present.addSoughtBeside(soughtBeside);
+    return isFindingOut()
+        ? EpistemicGoal.withWhatIsSeen(present, ports.knowledge().snapshot())
+        : present;
   }
 
-  Facts factsForPlans() {
-    return isFindingOut()
-        ? EpistemicGoal.withWhatIsSeen(presentFacts(), ports.knowledge().snapshot())
-        : presentFacts();
+  /** Plans look elsewhere, as long as it is looked beside them whether these are so. */
+  void isSoughtBeside(Set<Formula.Atom> sought) {
+    soughtBeside = Set.copyOf(sought);
   }
 
   /** Whether the goal speaks of what the effect may change. */

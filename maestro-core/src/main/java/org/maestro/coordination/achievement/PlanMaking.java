@@ -65,7 +65,6 @@ final class PlanMaking {
             monitor.subject(),
             monitor.barred(),
             without,
-            monitor.isTrusting(),
             monitor::factsForPlans,
             made)
         .start();

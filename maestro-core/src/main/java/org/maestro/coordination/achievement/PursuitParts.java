@@ -1,6 +1,7 @@
 package org.maestro.coordination.achievement;
 
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Roster;
 import org.maestro.coordination.contention.ActiveGoals;
@@ -35,7 +36,8 @@ record PursuitParts(
       Roster roster,
       ActiveGoals activeGoals,
       ExactPrices exactPrices,
-      VainDeeds deeds) {
+      VainDeeds deeds,
+      PlanPurpose purpose) {
     PlanUnderway plan = new PlanUnderway();
     StepsUnderway underway = new StepsUnderway();
     ResourceClaims resourceClaims =
@@ -47,7 +49,7 @@ record PursuitParts(
         exactPrices,
         life,
         story,
-        new GoalMonitor(life.id(), life.request(), ports, activeGoals, deeds),
+        new GoalMonitor(life.id(), life.request(), ports, activeGoals, deeds, purpose),
         plan,
         underway,
         resourceClaims,

@@ -27,10 +27,8 @@ import org.maestro.planning.api.PricedFeature;
 import org.maestro.planning.api.StepKey;
 import org.maestro.planning.api.Unavailable;
 import org.maestro.rats.time.Clock;
-import org.maestro.sl.Effect;
 import org.maestro.sl.Expression;
 import org.maestro.sl.Formula;
-import org.maestro.sl.Self;
 import org.maestro.sl.SlPrinter;
 import org.maestro.sl.Term;
 import org.maestro.sl.Truth;
@@ -234,31 +232,13 @@ public final class SearchReview {
     return new PlanningTask(
             home.vocabulary(),
             now,
-            features.stream().filter(feature -> helpsToLook(feature.type(), atom)).toList(),
+            features.stream().filter(feature -> Sensing.helpsToLook(feature.type(), atom)).toList(),
             atom,
             barred)
         .withUnavailable(
             unavailable.stream()
-                .filter(missed -> helpsToLook(missed.feature().type(), atom))
+                .filter(missed -> Sensing.helpsToLook(missed.feature().type(), atom))
                 .toList(),
             Map.of());
-  }
-
-  /** Whether it does not put things where they are sought. */
-  private static boolean helpsToLook(FeatureType feature, Formula.Atom atom) {
-    return !puts(feature.effect(), atom.predicate());
-  }
-
-  private static boolean puts(Effect effect, String predicate) {
-    if (effect instanceof Effect.All all) {
-      return all.effects().stream().anyMatch(part -> puts(part, predicate));
-    } else if (effect instanceof Effect.When when) {
-      return puts(when.effect(), predicate);
-    } else if (effect instanceof Effect.Forall forall) {
-      return puts(forall.effect(), predicate);
-    }
-    return effect instanceof Effect.Add add
-        && add.atom().predicate().equals(predicate)
-        && !add.atom().arguments().get(0).equals(Self.VARIABLE);
   }
 }

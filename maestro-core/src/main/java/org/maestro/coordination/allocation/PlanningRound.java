@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -52,21 +53,41 @@ public final class PlanningRound {
    * to be seen; in a round that finds out, to have seen what decides it will do.
    */
   public record Subject(
-      String goalId, Formula goal, Optional<Confirmation> confirmation, boolean findingOut) {
+      String goalId, Formula goal, Optional<Confirmation> confirmation, PlanPurpose purpose) {
+    private boolean isFindingOut() {
+      return purpose == PlanPurpose.FIND_OUT;
+    }
+
     public Formula planned(Home home) {
-      return findingOut
+      return isFindingOut()
           ? EpistemicGoal.goal(goal, home.vocabulary())
           : confirmation.map(c -> c.goal(goal)).orElse(goal);
     }
 
     Formula relevant(Home home) {
       boolean ofPlaces = confirmation.filter(c -> !c.things().isEmpty()).isPresent();
-      return findingOut || ofPlaces ? EpistemicGoal.relevant(goal, home.vocabulary()) : goal;
+      return isFindingOut() || ofPlaces ? EpistemicGoal.relevant(goal, home.vocabulary()) : goal;
     }
 
     /** Whether it matters who has seen what. */
     boolean isOfSeeing() {
-      return findingOut || confirmation.isPresent();
+      return isFindingOut() || confirmation.isPresent();
+    }
+
+    /** The candidates that may take part: who only looks puts nothing where it is looked for. */
+    Map<String, List<String>> candidates(Home home) {
+      Map<String, List<String>> candidates = Relevance.candidates(relevant(home), home);
+      if (purpose == PlanPurpose.LOOK && goal instanceof Formula.Atom sought) {
+        candidates.replaceAll(
+            (member, features) ->
+                Objects.requireNonNull(home.devices().get(member)).features().stream()
+                    .filter(type -> features.contains(type.name()))
+                    .filter(type -> Sensing.helpsToLook(type, sought))
+                    .map(FeatureType::name)
+                    .toList());
+        candidates.values().removeIf(List::isEmpty);
+      }
+      return candidates;
     }
 
     public Vocabulary vocabulary(Home home) {
@@ -124,7 +145,6 @@ public final class PlanningRound {
   private final Subject subject;
   private final Map<StepKey, String> barred;
   private final Set<String> without;
-  private final boolean trusting;
   private final Supplier<? extends Facts> facts;
   private final Consumer<Ended> then;
   private final CandidateProposals proposals;
@@ -134,8 +154,6 @@ public final class PlanningRound {
   /**
    * @param without members that are left out on trial: when there is no plan without them, nobody
    *     is asked why
-   * @param trusting whether a step that is declined now counts as possible after steps that change
-   *     the world
    */
   public PlanningRound(
       Ports ports,
@@ -145,7 +163,6 @@ public final class PlanningRound {
       Subject subject,
       Map<StepKey, String> barred,
       Set<String> without,
-      boolean trusting,
       Supplier<? extends Facts> facts,
       Consumer<Ended> then) {
     this.ports = ports;
@@ -155,7 +172,6 @@ public final class PlanningRound {
     this.subject = subject;
     this.barred = barred;
     this.without = without;
-    this.trusting = trusting;
     this.facts = facts;
     this.then = then;
     Map<String, List<String>> candidates = candidates(ports.knowledge().home());
@@ -175,8 +191,8 @@ public final class PlanningRound {
 
   /** Nobody, where what has to be seen is seen by no feature of anybody. */
   private Map<String, List<String>> candidates(Home home) {
-    Map<String, List<String>> candidates = Relevance.candidates(subject.relevant(home), home);
-    if (subject.confirmation().isPresent() && !subject.findingOut()) {
+    Map<String, List<String>> candidates = subject.candidates(home);
+    if (subject.confirmation().isPresent() && !subject.isFindingOut()) {
       List<Effect> effects =
           home.devices().values().stream()
               .flatMap(device -> device.features().stream())
@@ -270,7 +286,10 @@ public final class PlanningRound {
       }
       return;
     }
-    Set<StepKey> trusted = trusting ? afterDeeds(((PlanningResult.Found) result).plan()) : Set.of();
+    Set<StepKey> trusted =
+        subject.purpose() == PlanPurpose.REACH_TRUSTING
+            ? afterDeeds(((PlanningResult.Found) result).plan())
+            : Set.of();
     inquiry.ask(open, trusted, new CallArguments(home, snapshot), this::solve);
   }
 

@@ -11,6 +11,9 @@ public final class GoalId {
   /** Of the central coordinator's goals. */
   public static final String CENTRAL = "G";
 
+  /** Of what is pursued for a goal beside its plan; steps of scripts are counted from 1. */
+  private static final String BESIDE = "0.";
+
   private static final Pattern PATH = Pattern.compile("(\\.\\d+)+$");
   private static final Pattern NUMBER = Pattern.compile("-\\d+$");
 
@@ -21,6 +24,11 @@ public final class GoalId {
    */
   public static String part(String whole, String path) {
     return whole + "." + path;
+  }
+
+  /** The id of what is pursued for a goal beside its plan, {@code G7.0.1}. */
+  public static String beside(String goalId, int number) {
+    return part(goalId, BESIDE + number);
   }
 
   /** The goal that one is pursued for; itself, when it is no part of another. */
@@ -54,6 +62,14 @@ public final class GoalId {
     return part.length() > other.length()
         && part.charAt(other.length()) == '.'
         && part.startsWith(other);
+  }
+
+  /**
+   * Whether one is pursued for a step of the other, so that it may use what that has. What is
+   * pursued beside a goal's plan may not.
+   */
+  public static boolean isOfStep(String part, String other) {
+    return isWithin(part, other) && !part.startsWith(BESIDE, other.length() + 1);
   }
 
   public static String of(String prefix, int number) {

@@ -150,7 +150,7 @@ public final class ActiveGoals {
 
   /** Whether a goal is that one, or one for a step of which that one is pursued. */
   private static boolean isOfIt(ActiveGoal pursuit, String goal) {
-    return pursuit.id().equals(goal) || GoalId.isWithin(goal, pursuit.id());
+    return pursuit.id().equals(goal) || GoalId.isOfStep(goal, pursuit.id());
   }
 
   /**
@@ -161,7 +161,7 @@ public final class ActiveGoals {
       String goal, Snapshot now, Vocabulary vocabulary) {
     FactsMaskedByRunningSteps facts = new FactsMaskedByRunningSteps(now, vocabulary);
     pursuits.values().stream()
-        .filter(pursuit -> !GoalId.isWithin(goal, pursuit.id()))
+        .filter(pursuit -> !GoalId.isOfStep(goal, pursuit.id()))
         .forEach(pursuit -> pursuit.underway().addTo(facts));
     return facts;
   }

@@ -102,7 +102,7 @@ public final class Leases {
 
   /** Whether both are the same, or one is pursued for a step of the other. */
   private static boolean isOne(String one, String another) {
-    return one.equals(another) || GoalId.isWithin(one, another) || GoalId.isWithin(another, one);
+    return one.equals(another) || GoalId.isOfStep(one, another) || GoalId.isOfStep(another, one);
   }
 
   /** Nobody is overtaken by one who comes later and has nothing yet. */
@@ -164,7 +164,7 @@ public final class Leases {
                 Stream.concat(
                     Stream.ofNullable(keepers.get(resource)),
                     Stream.ofNullable(runs.get(resource)).map(Run::goal)))
-        .anyMatch(user -> GoalId.isWithin(user, goal));
+        .anyMatch(user -> GoalId.isOfStep(user, goal));
   }
 
   void letGo(String goal, Collection<Resource> resources) {
@@ -326,7 +326,7 @@ public final class Leases {
       if (!isSoStill(edge) || isOne(next, from)) {
         continue;
       }
-      if (GoalId.isWithin(to, next)) {
+      if (GoalId.isOfStep(to, next)) {
         path.removeFirst();
         path.addLast(next);
         return true;
@@ -342,7 +342,7 @@ public final class Leases {
   /** Who holds something for steps is not done before they are. */
   private List<WaitsFor> waitsFrom(String goal) {
     return waits.entrySet().stream()
-        .filter(e -> e.getKey().equals(goal) || GoalId.isWithin(e.getKey(), goal))
+        .filter(e -> e.getKey().equals(goal) || GoalId.isOfStep(e.getKey(), goal))
         .flatMap(e -> e.getValue().edges().stream())
         .toList();
   }
@@ -381,7 +381,7 @@ public final class Leases {
       if (!passed.contains(wait.getKey())
           && wait.getValue().edges().stream()
               .map(WaitsFor::holder)
-              .anyMatch(holder -> holder.equals(goal) || GoalId.isWithin(goal, holder))) {
+              .anyMatch(holder -> holder.equals(goal) || GoalId.isOfStep(goal, holder))) {
         raised = raised.raisedTo(standing(wait.getKey(), passed));
       }
     }

@@ -27,12 +27,13 @@ import org.maestro.sl.Truth;
 /**
  * The known facts, with what steps under way are changing as it was when these steps began. While a
  * robot grasps a cup, a camera loses sight of it: that is the step at work, not news. The step's
- * own report will say how it ended.
+ * own report will say how it ended. And a plan is not to look for what is looked for beside it.
  */
 public final class FactsMaskedByRunningSteps implements Facts {
   private final Snapshot now;
   private final Vocabulary vocabulary;
   private final List<Handled> handled = new ArrayList<>();
+  private final Set<Formula.Atom> soughtBeside = new HashSet<>();
 
   /**
    * A name with arguments; of a state variable, without its value.
@@ -65,6 +66,18 @@ public final class FactsMaskedByRunningSteps implements Facts {
 
   public void add(Handled beside) {
     handled.add(beside);
+  }
+
+  /**
+   * As long as nobody knows whether they are so, these count as not so. Who has plans made with it
+   * has to await those looks before he says that there is none.
+   */
+  public void addSoughtBeside(Set<Formula.Atom> atoms) {
+    soughtBeside.addAll(atoms);
+  }
+
+  private Truth sought(Formula.Atom atom, Truth known) {
+    return known == Truth.UNKNOWN && soughtBeside.contains(atom) ? Truth.FALSE : known;
   }
 
   /** Whether any of what has changed is told here as it was before. */
@@ -151,7 +164,7 @@ public final class FactsMaskedByRunningSteps implements Facts {
 
     @Override
     public Truth truth(Formula.Atom atom) {
-      return source(facts.subject(atom)).truth(atom);
+      return facts.sought(atom, source(facts.subject(atom)).truth(atom));
     }
 
     @Override
@@ -198,6 +211,10 @@ public final class FactsMaskedByRunningSteps implements Facts {
               all.addAll(one.subjects());
               one.subjects().forEach(subject -> all.add(new Subject(subject.name(), List.of())));
             });
+    Stream.concat(
+            soughtBeside.stream().filter(atom -> !before.soughtBeside.contains(atom)),
+            before.soughtBeside.stream().filter(atom -> !soughtBeside.contains(atom)))
+        .forEach(atom -> all.add(subject(atom)));
     return all;
   }
 
@@ -207,7 +224,7 @@ public final class FactsMaskedByRunningSteps implements Facts {
 
   @Override
   public Truth truth(Formula.Atom atom) {
-    return source(subject(atom)).truth(atom);
+    return sought(atom, source(subject(atom)).truth(atom));
   }
 
   @Override

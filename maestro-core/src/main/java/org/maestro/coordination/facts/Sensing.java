@@ -5,10 +5,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import org.maestro.ontology.vocabulary.FeatureType;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.sl.Effect;
 import org.maestro.sl.Formula;
+import org.maestro.sl.Self;
 
 /** The sensing in a feature's effect: what it finds out. */
 public final class Sensing {
@@ -57,6 +59,16 @@ public final class Sensing {
                     .filter(PredicateDeclaration::functional)
                     .isEmpty());
     return atoms;
+  }
+
+  /** Whether a feature does not put things where they are sought. */
+  public static boolean helpsToLook(FeatureType feature, Formula.Atom sought) {
+    return !any(
+        feature.effect(),
+        part ->
+            part instanceof Effect.Add add
+                && add.atom().predicate().equals(sought.predicate())
+                && !add.atom().arguments().get(0).equals(Self.VARIABLE));
   }
 
   private static void collect(Effect effect, List<Formula.Atom> atoms) {

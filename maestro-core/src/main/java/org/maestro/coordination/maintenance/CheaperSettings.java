@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
+import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.allocation.PlanningRound;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Roster;
@@ -81,10 +82,9 @@ final class CheaperSettings {
             new Roster(),
             exactPrices,
             experience,
-            new PlanningRound.Subject(goalId, tight, Optional.empty(), false),
+            new PlanningRound.Subject(goalId, tight, Optional.empty(), PlanPurpose.REACH),
             Map.of(),
             Set.of(),
-            false,
             () -> without,
             round -> {
               round.tender().reject();

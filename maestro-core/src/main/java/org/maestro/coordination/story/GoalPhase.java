@@ -26,6 +26,7 @@ public enum GoalPhase {
   WAITING_FOR_WORTH(GoalState.WAITING, "It costs more than it brings, as things are."),
   WAITING_FOR_RANK(GoalState.WAITING, "There is no plan beside what another keeps, for now."),
   WAITING_FOR_STEPS(GoalState.WAITING, "There is no plan; its own steps have to end first."),
+  WAITING_FOR_LOOKS(GoalState.WAITING, "What it seeks is looked for in many places at once."),
   WAITING_FOR_CERTAINTY(GoalState.WAITING, "There is no plan; it is in doubt who is there."),
   WAITING_FOR_MEMBERS(GoalState.WAITING, "There is no plan; who was lost just now may come back."),
   WAITING_FOR_ANOTHER_TRY(GoalState.WAITING, "There is no plan; what was refused is tried again."),
@@ -99,6 +100,7 @@ public enum GoalPhase {
               PLANNING_TO_SEE,
               WAITING_FOR_RANK,
               WAITING_FOR_STEPS,
+              WAITING_FOR_LOOKS,
               WAITING_FOR_CERTAINTY,
               WAITING_FOR_MEMBERS,
               WAITING_FOR_ANOTHER_TRY,
@@ -112,6 +114,7 @@ public enum GoalPhase {
               HALTING,
               WAITING_FOR_TURN,
               WAITING_FOR_STEP,
+              WAITING_FOR_LOOKS,
               WAITING_FOR_WORTH,
               LISTENING,
               ASKING,
@@ -148,6 +151,7 @@ public enum GoalPhase {
               ENDING);
       case WAITING_FOR_RANK,
           WAITING_FOR_STEPS,
+          WAITING_FOR_LOOKS,
           WAITING_FOR_CERTAINTY,
           WAITING_FOR_MEMBERS,
           WAITING_FOR_ANOTHER_TRY ->

@@ -164,6 +164,12 @@ public final class GoalStory {
             .formatted(String.join(" ", reasons(result)), pause.toSeconds()));
   }
 
+  public void awaitsLooks() {
+    tell(
+        StoryEntry.Kind.WAIT,
+        "It is planned again when the looks beside each other have found it, or are over.");
+  }
+
   public void awaitsCertainty(String doubts) {
     tell(
         StoryEntry.Kind.WAIT, "There is no other way, and it is not given up yet: " + doubts + ".");

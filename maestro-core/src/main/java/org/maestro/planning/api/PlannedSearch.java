@@ -13,6 +13,9 @@ import org.maestro.sl.Term;
  *     cost to begin there, last those into which nobody can look
  */
 public record PlannedSearch(String predicate, List<Term> arguments, List<Place> places) {
+  /** Up to so many places it is weighed how each look changes the cost of each other one. */
+  public static final int MANY_PLACES = 8;
+
   public PlannedSearch {
     arguments = List.copyOf(arguments);
     places = List.copyOf(places);

@@ -1,6 +1,7 @@
 package org.maestro.planning.grounding;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.maestro.ontology.vocabulary.PredicateDeclaration;
 import org.maestro.planning.problem.Condition.Constant;
 import org.maestro.planning.problem.ConditionCompiler;
@@ -67,17 +69,14 @@ public final class Chances {
     return chances;
   }
 
-  /** Which of the values that can be looked at is likeliest; the first among equals. */
-  public int likeliest(Sought sought) {
-    Map<Term, Double> chanceOf = of(sought.variable(), sought.terms());
-    int best = 0;
-    for (int i = 1; i < sought.values().size(); i++) {
-      if (chanceOf.getOrDefault(sought.terms().get(i), 0.0)
-          > chanceOf.getOrDefault(sought.terms().get(best), 0.0) + SAME) {
-        best = i;
-      }
-    }
-    return sought.values().get(best);
+  /** The places, by their number among those that can be looked at, that are likeliest: alike. */
+  public List<Integer> likeliest(Sought sought) {
+    List<Term> terms = sought.terms();
+    Map<Term, Double> chanceOf = of(sought.variable(), terms);
+    double[] chance =
+        terms.stream().mapToDouble(term -> chanceOf.getOrDefault(term, 0.0)).toArray();
+    double most = Arrays.stream(chance).max().orElse(0);
+    return IntStream.range(0, chance.length).filter(i -> chance[i] >= most - SAME).boxed().toList();
   }
 
   /** Whether something is likelier to be where nobody can look than anywhere else. */

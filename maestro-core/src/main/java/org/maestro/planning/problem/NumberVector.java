@@ -5,11 +5,12 @@ import java.util.Arrays;
 /** The numbers of a state, by index of their variables. Immutable, shared between states. */
 public final class NumberVector {
   private final double[] values;
-  private final int hash;
+
+  /** Looked for in few of many states; 0 until then. */
+  private int hash;
 
   public NumberVector(double[] values) {
     this.values = values;
-    this.hash = Arrays.hashCode(values);
   }
 
   public double get(int index) {
@@ -30,12 +31,15 @@ public final class NumberVector {
   public boolean equals(Object other) {
     return this == other
         || other instanceof NumberVector that
-            && hash == that.hash
+            && hashCode() == that.hashCode()
             && Arrays.equals(values, that.values);
   }
 
   @Override
   public int hashCode() {
+    if (hash == 0) {
+      hash = Arrays.hashCode(values);
+    }
     return hash;
   }
 }

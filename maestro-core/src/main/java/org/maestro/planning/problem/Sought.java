@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.maestro.planning.api.PlannedSearch;
 import org.maestro.sl.Term;
 
 /**
@@ -17,12 +18,9 @@ import org.maestro.sl.Term;
  */
 public record Sought(Variable variable, List<Integer> values) {
 
-  /** Up to so many places it is weighed how each look changes the cost of each other one. */
-  private static final int MANY_PLACES = 8;
-
   /** Whether there are so many places that not all can be weighed against each other. */
   public boolean isInManyPlaces() {
-    return values.size() > MANY_PLACES;
+    return values.size() > PlannedSearch.MANY_PLACES;
   }
 
   public static boolean hasManyPlaces(Collection<Sought> all) {

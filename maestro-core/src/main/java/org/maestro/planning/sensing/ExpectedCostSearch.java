@@ -336,17 +336,35 @@ public final class ExpectedCostSearch {
   }
 
   /** Empty when the plan does not look there. */
-  private static Optional<Split> split(Candidate candidate, Sought sought, int value) {
+  private Optional<Split> split(Candidate candidate, Sought sought, int value) {
     List<Operator> operators = candidate.operators();
     for (int at = 0; at < operators.size(); at++) {
       if (sought.looksAt(operators.get(at), value)) {
-        return Optional.of(split(candidate.plan(), at + 1));
+        Set<Integer> ofOthers = new HashSet<>();
+        for (int before = 0; before < at; before++) {
+          if (isOfOther(operators.get(before), sought)) {
+            ofOthers.add(before + 1);
+          }
+        }
+        return Optional.of(split(candidate.plan(), at + 1, ofOthers));
       }
     }
     return Optional.empty();
   }
 
-  private static Split split(Plan plan, int look) {
+  /** Whether it looks for something else, which has to be found wherever this is. */
+  private boolean isOfOther(Operator operator, Sought sought) {
+    return choice.keySet().stream()
+            .filter(other -> !other.equals(sought))
+            .anyMatch(other -> other.lookedAt(operator).findAny().isPresent())
+        && sought.lookedAt(operator).findAny().isEmpty();
+  }
+
+  /**
+   * @param ofOthers numbers of looks that are no part of this one, though a camera that looks for
+   *     two things does so one after the other
+   */
+  private static Split split(Plan plan, int look, Set<Integer> ofOthers) {
     Set<Integer> before = new HashSet<>(Set.of(look));
     for (int number = look; number >= 1; number--) {
       if (before.contains(number)) {
@@ -356,7 +374,7 @@ public final class ExpectedCostSearch {
     List<StepKey> prefix = new ArrayList<>();
     double cost = 0;
     for (Step step : plan.steps()) {
-      if (before.contains(step.number())) {
+      if (before.contains(step.number()) && !ofOthers.contains(step.number())) {
         prefix.add(step.key());
         cost += step.cost();
       }

@@ -28,6 +28,8 @@ import org.maestro.planning.problem.Variable;
  * other looks were made in vain: the robot has moved, the lamps are on that those looks needed.
  */
 final class LookCosts {
+  private static final double SAME = 1e-9;
+
   private final GroundProblem problem;
   private final Sought sought;
   private final RelaxedProblem relaxed;
@@ -113,6 +115,28 @@ final class LookCosts {
       }
     }
     return least;
+  }
+
+  /**
+   * Which of the places costs least with all that follows when it is found there; the first among
+   * equals.
+   *
+   * @param places indices of values
+   */
+  int leastOf(List<Integer> places) {
+    double[] looks = looks(initial());
+    int best = places.get(0);
+    double least = Double.POSITIVE_INFINITY;
+    for (int place : places) {
+      if (looks[place] < least) {
+        double cost = looks[place] + restAtOnce(place).cost();
+        if (cost < least - SAME) {
+          best = place;
+          least = cost;
+        }
+      }
+    }
+    return best;
   }
 
   /**

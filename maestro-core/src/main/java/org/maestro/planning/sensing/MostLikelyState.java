@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.maestro.planning.grounding.Chances;
+import org.maestro.planning.optimal.RelaxedProblem;
 import org.maestro.planning.problem.Change;
 import org.maestro.planning.problem.Condition;
 import org.maestro.planning.problem.GroundProblem;
@@ -19,11 +20,21 @@ import org.maestro.planning.problem.Sought;
  */
 public record MostLikelyState(Map<Sought, Integer> places) {
 
-  /** That all is where it is likeliest, among what can be looked at. */
-  public static MostLikelyState likeliest(List<Sought> all, Chances chances) {
+  /**
+   * That all is where it is likeliest, among what can be looked at; where places are alike, in the
+   * one from which the goal is reached at the least cost, as is estimated. The problem's variables
+   * are placed for it.
+   *
+   * @param relaxed of the problem
+   */
+  public static MostLikelyState likeliest(
+      List<Sought> all, Chances chances, GroundProblem problem, RelaxedProblem relaxed) {
     Map<Sought, Integer> places = new LinkedHashMap<>();
     for (Sought sought : all) {
-      places.put(sought, chances.likeliest(sought));
+      List<Integer> alike = chances.likeliest(sought);
+      int first =
+          alike.size() == 1 ? alike.get(0) : new LookCosts(problem, relaxed, sought).leastOf(alike);
+      places.put(sought, sought.values().get(first));
     }
     return new MostLikelyState(places);
   }

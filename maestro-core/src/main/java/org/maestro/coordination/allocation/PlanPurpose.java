@@ -1,7 +1,7 @@
-package org.maestro.coordination.achievement;
+package org.maestro.coordination.allocation;
 
 /** Purpose of a plan. A plan to see that the goal is reached is made for a confirmation besides. */
-enum PlanPurpose {
+public enum PlanPurpose {
   /** To make the goal so. */
   REACH,
 
@@ -9,5 +9,8 @@ enum PlanPurpose {
   REACH_TRUSTING,
 
   /** Nobody can make it so: to look whether it is so already. */
-  FIND_OUT
+  FIND_OUT,
+
+  /** To look whether something is where the goal says, and not to put it there. */
+  LOOK
 }
