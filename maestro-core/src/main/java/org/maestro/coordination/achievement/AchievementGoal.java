@@ -145,6 +145,7 @@ public final class AchievementGoal extends PlannedPursuit {
     parts.resourceClaims().letGo();
     life.become(GoalPhase.WAITING_FOR_LOOKS, "for looks beside each other");
     parts.story().awaitsLooks();
+    looks.planDropped();
   }
 
   @Override

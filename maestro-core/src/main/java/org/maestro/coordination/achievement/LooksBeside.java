@@ -75,6 +75,11 @@ final class LooksBeside {
     return underway.size() >= MANY && !haveFound();
   }
 
+  /** The goal has no plan now, and they go on without it. */
+  void planDropped() {
+    beginMore();
+  }
+
   /** Whether it is known of all that is sought where it is. */
   boolean haveFound() {
     Snapshot now = parts.ports().knowledge().snapshot();
@@ -115,7 +120,7 @@ final class LooksBeside {
     for (PlannedSearch search : searches) {
       List<Formula.Atom> open =
           search.places().stream()
-              .skip(1)
+              .skip(parts.plan().exists() ? 1 : 0)
               .map(place -> atom(search, place.value()))
               .filter(sought -> now.truth(sought) == Truth.UNKNOWN)
               .toList();

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.maestro.coordination.api.ActionDispatcher;
+import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.Journal;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Latest;
@@ -142,9 +143,17 @@ public final class JournaledDispatcher implements ActionDispatcher {
 
   /** The goal is over: what comes to rest now is the last that is ordered for it. */
   public void over(String goalId) {
+    List<String> beside =
+        callsByGoal.keySet().stream().filter(id -> GoalId.isWithin(id, goalId)).toList();
+    beside.forEach(this::callOffOwed);
+    callsByGoal.keySet().removeAll(beside);
+    callOffOwed(goalId);
+    callsOfEnded.put(goalId, Optional.ofNullable(callsByGoal.remove(goalId)).orElse(0));
+  }
+
+  private void callOffOwed(String goalId) {
     giveUpOwed(goalId, step -> true)
         .forEach(order -> dispatcher.callOff(order.step().member(), order.call().orElseThrow()));
-    callsOfEnded.put(goalId, Optional.ofNullable(callsByGoal.remove(goalId)).orElse(0));
   }
 
   private Call name(Request order) {
