@@ -92,7 +92,9 @@ final class LookGoal extends PlannedPursuit {
     if (isDecided()) {
       settle(Map.of());
     } else if (life.plans() >= MOST_PLANS) {
-      giveUp(List.of("It was planned %d times.".formatted(life.plans())));
+      giveUp(
+          List.of(
+              "It was planned %d times without getting there; given up.".formatted(life.plans())));
     } else {
       planning.makePlan(why);
     }
