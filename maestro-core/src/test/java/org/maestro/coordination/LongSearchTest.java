@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.maestro.coordination.api.ActionDispatcher;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
@@ -124,6 +126,29 @@ class LongSearchTest {
 
     assertThat(outcome.reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(tries[0]).isEqualTo(2);
+  }
+
+  /** Also the one that is over while the plan is made that left its place out. */
+  @ParameterizedTest
+  @ValueSource(ints = {20, 130, 260, 510, 900})
+  void whicheverLookFailsItIsNotCalledImpossible(int planningMillis) {
+    for (int rooms = 9; rooms < 13; rooms++) {
+      for (int failing = 0; failing < rooms; failing++) {
+        PretendHouse house = lit(rooms);
+        house.planningTakes = Duration.ofMillis(planningMillis);
+        int room = failing;
+        int[] tries = new int[1];
+        house.made.put(
+            "observeObject cam-" + room,
+            step -> ++tries[0] == 1 ? PretendHouse.failed("blinded", List.of()) : found(room));
+
+        GoalOutcome outcome = house.achieve("(in Cup ?where)");
+
+        assertThat(outcome.reached())
+            .as("%d of %d: %s", room, rooms, String.join("\n", house.story))
+            .isTrue();
+      }
+    }
   }
 
   @Test

@@ -168,6 +168,8 @@ public final class AchievementGoal extends PlannedPursuit {
   public void noPlan(PlanningRound.Ended round) {
     if (looks.isAny()) {
       awaitLooks();
+    } else if (parts.monitor().hasLeftOutWhatMayBe()) {
+      planning.makePlan(Optional.of("a look beside the plan has shown something else"));
     } else {
       ending.noPlan(round);
     }

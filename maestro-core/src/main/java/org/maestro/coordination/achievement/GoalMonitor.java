@@ -2,6 +2,7 @@ package org.maestro.coordination.achievement;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -23,6 +24,7 @@ import org.maestro.coordination.facts.Relevance;
 import org.maestro.coordination.facts.ReplanTriggers;
 import org.maestro.coordination.facts.Symbols;
 import org.maestro.coordination.lessons.VainDeeds;
+import org.maestro.knowledge.api.Snapshot;
 import org.maestro.ontology.home.OpenChoice;
 import org.maestro.ontology.vocabulary.Vocabulary;
 import org.maestro.planning.api.Plan;
@@ -35,6 +37,7 @@ import org.maestro.sl.Effect;
 import org.maestro.sl.Facts;
 import org.maestro.sl.Formula;
 import org.maestro.sl.Term;
+import org.maestro.sl.Truth;
 
 /** The known present as it looks to one goal: whether it holds, and whether steps lead to it. */
 final class GoalMonitor {
@@ -61,6 +64,7 @@ final class GoalMonitor {
   private PlanPurpose nextPurpose;
   private int timesFoundOut;
   private Set<Formula.Atom> soughtBeside = Set.of();
+  private final Set<Formula.Atom> leftOut = new HashSet<>();
 
   /**
    * @param usually what plans for the goal are made for
@@ -187,6 +191,7 @@ final class GoalMonitor {
 
   /** A plan is to be made now. */
   void planBegins() {
+    leftOut.clear();
     purpose = nextPurpose;
     nextPurpose = usually;
   }
@@ -202,9 +207,19 @@ final class GoalMonitor {
   Facts factsForPlans() {
     FactsMaskedByRunningSteps present = presentFacts();
     present.addSoughtBeside(soughtBeside);
+    leftOut.addAll(soughtBeside);
     return isFindingOut()
         ? EpistemicGoal.withWhatIsSeen(present, ports.knowledge().snapshot())
         : present;
+  }
+
+  /**
+   * Whether the last plan counted something as not so, since looks beside it were to show that, and
+   * they have not.
+   */
+  boolean hasLeftOutWhatMayBe() {
+    Snapshot now = ports.knowledge().snapshot();
+    return leftOut.stream().anyMatch(sought -> now.truth(sought) != Truth.FALSE);
   }
 
   /** Plans look elsewhere, as long as it is looked beside them whether these are so. */
