@@ -177,6 +177,10 @@ class LongSearchTest {
 
     assertThat(outcome.get(0).reached()).as(String.join("\n", house.story)).isTrue();
     assertThat(house.coordinator.waits()).isEmpty();
+    assertThat(house.story.stream().filter(told -> told.contains("Looks meanwhile")))
+        .extracting(told -> told.replaceAll(".*(\\[0\\.\\d+]).*", "$1"))
+        .doesNotHaveDuplicates()
+        .hasSizeGreaterThan(16);
   }
 
   private static void foundIn(PretendHouse house, int room) {

@@ -148,7 +148,11 @@ public final class PretendHouse implements ActionDispatcher {
                       }
                     }),
             clock,
-            entry -> story.add(entry.at() + " " + entry.text()),
+            entry -> {
+              if (life == lives) {
+                story.add(entry.at() + " " + entry.text());
+              }
+            },
             new Journal() {
               @Override
               public void write(JournalEntry entry) {

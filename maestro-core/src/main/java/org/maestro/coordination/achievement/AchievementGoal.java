@@ -72,6 +72,7 @@ public final class AchievementGoal extends PlannedPursuit {
       return;
     }
     parts.story().takenUp(goal);
+    looks.takeUp(goal);
     new FormerLessons(parts.ports().knowledge(), parts.activeGoals().experience())
         .learnAgain(goal.memory().failures());
     for (Recovery.UnfinishedCall call : goal.calls()) {

@@ -7,12 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.maestro.coordination.api.GoalId;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
 import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.JournalEntry;
 import org.maestro.coordination.api.Ports;
+import org.maestro.coordination.api.Recovery;
 import org.maestro.coordination.api.Sentences;
 import org.maestro.coordination.api.Story;
 import org.maestro.coordination.api.StoryEntry;
@@ -57,6 +59,15 @@ final class LooksBeside {
   LooksBeside(PursuitParts parts, Runnable over) {
     this.parts = parts;
     this.over = over;
+  }
+
+  /** Looks from before a restart keep their numbers: what ran for them may not have ended. */
+  void takeUp(Recovery.UnfinishedGoal goal) {
+    Stream.concat(
+            goal.parts().stream().map(Recovery.UnfinishedGoal::id),
+            goal.endedParts().stream().map(part -> part.outcome().id()))
+        .filter(part -> GoalId.isBeside(part, parts.id()))
+        .forEach(part -> number = Math.max(number, GoalId.lastNumber(part)));
   }
 
   /** A plan was taken, and what it seeks is sought elsewhere as well. */

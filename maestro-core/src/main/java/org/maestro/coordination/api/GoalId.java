@@ -69,7 +69,12 @@ public final class GoalId {
    * pursued beside a goal's plan may not.
    */
   public static boolean isOfStep(String part, String other) {
-    return isWithin(part, other) && !part.startsWith(BESIDE, other.length() + 1);
+    return isWithin(part, other) && !isBeside(part, other);
+  }
+
+  /** Whether one is pursued beside the other's plan. */
+  public static boolean isBeside(String part, String other) {
+    return isWithin(part, other) && part.startsWith(BESIDE, other.length() + 1);
   }
 
   public static String of(String prefix, int number) {
