@@ -208,15 +208,6 @@ public final class CallGoal extends PlannedPursuit {
     end(GoalState.FAILED, List.of("Its deadline has passed" + life.standingInWords() + "."));
   }
 
-  private void end(GoalState how, List<String> reasons) {
-    if (!life.isOver()) {
-      life.become(GoalPhase.ENDING);
-      following.release(how);
-      life.end(how, false, Map.of(), reasons);
-      parts.activeGoals().leave(life.id());
-    }
-  }
-
   /** It was called once, or cannot be: there is no other way. */
   @Override
   public void makePlan(Optional<String> why) {

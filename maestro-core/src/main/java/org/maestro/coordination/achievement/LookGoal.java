@@ -17,7 +17,6 @@ import org.maestro.coordination.facts.FactFilter;
 import org.maestro.coordination.lessons.VainDeeds;
 import org.maestro.coordination.recovery.FormerCalls;
 import org.maestro.coordination.story.Decisions;
-import org.maestro.coordination.story.GoalPhase;
 import org.maestro.knowledge.api.KnowledgeBase;
 import org.maestro.knowledge.api.Snapshot;
 import org.maestro.planning.api.Plan;
@@ -150,15 +149,6 @@ final class LookGoal extends PlannedPursuit {
   @Override
   public void deadlinePassed() {
     cancel("its deadline");
-  }
-
-  private void end(GoalState how, List<String> reasons) {
-    if (!life.isOver()) {
-      life.become(GoalPhase.ENDING);
-      following.release(how);
-      life.end(how, false, Map.of(), reasons);
-      parts.activeGoals().leave(life.id());
-    }
   }
 
   @Override

@@ -1,6 +1,8 @@
 package org.maestro.coordination.achievement;
 
 import java.time.Duration;
+import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.maestro.coordination.allocation.ExactPrices;
@@ -8,6 +10,7 @@ import org.maestro.coordination.allocation.PlanPurpose;
 import org.maestro.coordination.api.ContractNet;
 import org.maestro.coordination.api.GoalOutcome;
 import org.maestro.coordination.api.GoalRequest;
+import org.maestro.coordination.api.GoalState;
 import org.maestro.coordination.api.GoalStatus;
 import org.maestro.coordination.api.Ports;
 import org.maestro.coordination.api.Recovery;
@@ -53,6 +56,16 @@ abstract class PlannedPursuit implements ActiveGoal, GoalTransitions {
     this.parts =
         PursuitParts.of(life, story, ports, roster, activeGoals, exactPrices, deeds, purpose);
     this.following = new PlanFollowing(parts, this);
+  }
+
+  /** Ends it, if it is not over, with nothing that would have to be seen first. */
+  final void end(GoalState how, List<String> reasons) {
+    if (!life.isOver()) {
+      life.become(GoalPhase.ENDING);
+      following.release(how);
+      life.end(how, false, Map.of(), reasons);
+      parts.activeGoals().leave(life.id());
+    }
   }
 
   @Override
