@@ -19,6 +19,7 @@ import org.maestro.planning.optimal.LandmarkCut;
 import org.maestro.planning.optimal.LimitedSearch;
 import org.maestro.planning.optimal.MakespanSearch;
 import org.maestro.planning.optimal.OptimalSearch;
+import org.maestro.planning.optimal.PlansOfOne;
 import org.maestro.planning.optimal.Pruning;
 import org.maestro.planning.optimal.RelaxedProblem;
 import org.maestro.planning.optimal.RivalSteps;
@@ -43,8 +44,16 @@ final class BudgetedSearch {
    */
   private static final double GROWTH_UNTIL_IN_REACH = 1.05;
 
+  private static final int MANY_OPERATORS = 4_000;
+
+  /** To make more of them ground takes many seconds. */
+  private static final int MOST_OPERATORS = 40_000;
+
   /** So that rounding does not keep it where it is. */
   private static final double LEAST_GROWTH = 1.02;
+
+  /** Where each round takes a second. */
+  private static final double LEAST_GROWTH_OF_MUCH = 1.1;
 
   /** For plans that begin a search elsewhere: they are worth less time. */
   private static final int MOST_STATES_BESIDE = 1_000;
@@ -77,6 +86,7 @@ final class BudgetedSearch {
   private final boolean weighingSearches;
   private final SupposedPlans supposedPlans = new SupposedPlans();
   private Optional<Ground> solved = Optional.empty();
+  private double lastBudget;
 
   /**
    * @param grounder of that task
@@ -95,6 +105,11 @@ final class BudgetedSearch {
   /** The problem of which the plan found is; empty when none was found, or it is not proven. */
   Optional<GroundProblem> solved() {
     return solved.map(Ground::problem);
+  }
+
+  /** The budget within which the plan was found. */
+  double lastBudget() {
+    return lastBudget;
   }
 
   /**
@@ -127,6 +142,7 @@ final class BudgetedSearch {
    */
   PlanningResult run(double firstBudget) {
     double budget = task.objective() == Objective.CHEAPEST ? firstBudget : Double.POSITIVE_INFINITY;
+    lastBudget = budget;
     Ground ground = ground(budget);
     boolean fromNothing = !isWeighing() || budget == 0;
     while (true) {
@@ -150,20 +166,61 @@ final class BudgetedSearch {
       } else if (round.outcome() instanceof OptimalSearch.Outcome.Unproven unproven) {
         return some(round.problem(), unproven.operators(), least(ground));
       } else if (round.outcome() instanceof OptimalSearch.Outcome.BoundReached) {
-        return somePlan(round.problem(), least(ground));
+        Optional<PlanningResult> plan = ofOne(round.problem(), least(ground));
+        if (plan.isPresent()) {
+          return plan.get();
+        }
+        if (!mayGrow(ground)) {
+          return somePlan(round.problem(), least(ground));
+        }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
         double soon = Math.max(tooDear.atLeast(), Math.min(next, Math.nextDown(ground.beyond())));
+        if (isMuch(ground.problem()) && least(ground) > budget) {
+          Optional<PlanningResult> plan =
+              ofOne(ground.problem(), Math.min(least(ground), ground.beyond()));
+          if (plan.isPresent()) {
+            return plan.get();
+          }
+          soon = Math.min(soon, Math.max(ground.beyond(), budget * GROWTH));
+        }
+        if (isMuch(ground.problem())) {
+          soon = Math.max(soon, budget * LEAST_GROWTH_OF_MUCH);
+        }
         next = soon > budget ? soon : next;
       } else if (round.beyond() == Double.POSITIVE_INFINITY) {
         return impossible();
       }
       budget = next;
+      lastBudget = budget;
       ground = budget >= ground.beyond() ? ground(budget) : ground;
     }
   }
 
   private static double growth(Ground ground) {
     return ground.bounds().isEmpty() ? GROWTH_UNTIL_IN_REACH : GROWTH;
+  }
+
+  /** Whether there are so many steps that nobody waits for the proof which plan is the cheapest. */
+  private boolean isMuch(GroundProblem problem) {
+    return isWeighing()
+        && problem.operators().size() >= MANY_OPERATORS
+        && Sought.of(problem).isEmpty();
+  }
+
+  private boolean mayGrow(Ground ground) {
+    return isMuch(ground.problem())
+        && ground.problem().operators().size() < MOST_OPERATORS
+        && Double.isFinite(ground.beyond());
+  }
+
+  /** Empty where the problem is small, or no one can do it alone. */
+  private Optional<PlanningResult> ofOne(GroundProblem problem, double atLeast) {
+    if (!isMuch(problem)) {
+      return Optional.empty();
+    }
+    return new PlansOfOne(problem.placed(), task.features(), mostStates)
+        .cheapest(atLeast)
+        .map(PlanningResult.class::cast);
   }
 
   private static double least(Ground ground) {
@@ -189,6 +246,16 @@ final class BudgetedSearch {
   private PlanningResult somePlan(GroundProblem tried, double atLeast) {
     if (!isWeighing()) {
       return givenUp();
+    }
+    if (isMuch(tried)) {
+      OptimalSearch.Outcome overCases =
+          new SearchOverCases(tried.placed(), mostStates).run(Double.POSITIVE_INFINITY);
+      if (overCases instanceof OptimalSearch.Outcome.Unproven unproven) {
+        return some(tried, unproven.operators(), atLeast);
+      }
+      if (overCases instanceof OptimalSearch.Outcome.Found found) {
+        return some(tried, found.operators(), atLeast);
+      }
     }
     if (hasty(tried, Effort.forBestPlan(mostStates)) instanceof OptimalSearch.Outcome.Found found) {
       return some(tried, found.operators(), atLeast);
@@ -251,7 +318,9 @@ final class BudgetedSearch {
         beyond,
         weighingSearches && Sought.hasManyPlaces(sought)
             ? amongManyPlaces(pruned, sought, beyond, budget)
-            : search(pruned, effort, budget));
+            : isMuch(pruned.problem())
+                ? overStates(pruned, Effort.forSoonFoundPlan(mostStates), budget)
+                : search(pruned, effort, budget));
   }
 
   /**

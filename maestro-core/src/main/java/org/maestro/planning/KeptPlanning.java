@@ -62,8 +62,14 @@ final class KeptPlanning {
 
   private Optional<Proven> proven = Optional.empty();
 
+  /** The last plan, where it is not proven to be the cheapest. */
+  private Optional<Plan> unproven = Optional.empty();
+
   /** Of the last plan, proven or not. */
   private double lastCost;
+
+  /** Within which the last plan that is not proven was found. */
+  private double lastBudget;
 
   /** Whether the last plan was to find something; then the next one probably is as well. */
   private boolean isSeeking;
@@ -105,7 +111,7 @@ final class KeptPlanning {
     if (still.isPresent()) {
       return new PlanningResult.Found(still.get(), OptionalDouble.empty(), contenders());
     }
-    Optional<Plan> rest = proven.flatMap(this::rest);
+    Optional<Plan> rest = proven.map(Proven::plan).or(() -> unproven).flatMap(this::rest);
     if (!changed.isEmpty()) {
       grounds.clear();
     }
@@ -116,11 +122,11 @@ final class KeptPlanning {
         return keeping(again.get(), rest, ground.problem());
       }
     }
-    double budget = isSeeking ? 0 : rest.map(Plan::cost).orElseGet(this::withoutRest);
     BudgetedSearch search = new BudgetedSearch(task, grounder, mostStates, true);
-    PlanningResult result = search.run(budget);
+    PlanningResult result = atLeastAsGood(search.run(firstBudget(rest)), rest);
     changed.clear();
     proven = Optional.empty();
+    unproven = Optional.empty();
     lastCost = result instanceof PlanningResult.Found found ? found.plan().cost() : 0;
     isSeeking = result instanceof PlanningResult.Found found && !found.plan().searches().isEmpty();
     if (result instanceof PlanningResult.Found found && isProof(found, search)) {
@@ -130,7 +136,41 @@ final class KeptPlanning {
       }
       return keeping(found, rest, search.solved().orElseThrow().placed());
     }
+    if (result instanceof PlanningResult.Found found && mayBeBettered(found)) {
+      unproven = Optional.of(found.plan());
+      lastBudget = search.lastBudget();
+    }
     return result;
+  }
+
+  private double firstBudget(Optional<Plan> rest) {
+    if (isSeeking) {
+      return 0;
+    }
+    return unproven.isPresent()
+        ? lastBudget
+        : rest.map(this::withRest).orElseGet(this::withoutRest);
+  }
+
+  /**
+   * The rest of the old plan is within the budget that it costs. Where that is far more than it was
+   * to cost, as when its prices were asked for, others that nobody asked are likely to cost less.
+   */
+  private double withRest(Plan rest) {
+    return Math.min(rest.cost(), MORE * lastCost);
+  }
+
+  /** A plan that is not proven may be dearer than the rest of the last one. */
+  private static PlanningResult atLeastAsGood(PlanningResult result, Optional<Plan> rest) {
+    return result instanceof PlanningResult.Found found && mayBeBettered(found)
+        ? rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST)
+            .map(found::with)
+            .orElse(found)
+        : result;
+  }
+
+  private static boolean mayBeBettered(PlanningResult.Found found) {
+    return found.atLeast().isPresent() && found.plan().searches().isEmpty();
   }
 
   /** Where the old plan is of no use, one is likely to cost some more than what was searched. */
@@ -201,8 +241,8 @@ final class KeptPlanning {
   }
 
   /** The shortest end of the plan that reaches the goal from where things are now. */
-  private Optional<Plan> rest(Proven before) {
-    List<Step> steps = before.plan().steps();
+  private Optional<Plan> rest(Plan before) {
+    List<Step> steps = before.steps();
     for (int from = steps.size(); from >= 0; from--) {
       Optional<Plan> rest = OptimalPlanner.revalidate(grounder, steps.subList(from, steps.size()));
       if (rest.isPresent()) {

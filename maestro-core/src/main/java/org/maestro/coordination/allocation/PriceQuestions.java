@@ -1,6 +1,7 @@
 package org.maestro.coordination.allocation;
 
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +19,7 @@ import org.maestro.sl.Term;
  * that may make another plan the cheapest. A plan is made for each set of answers, and answers cost
  * far less than plans: where they only led to another plan of lower bounds, more and more steps are
  * asked for at once, and in the end those that nobody asked for count as if they cost what the
- * cheapest like one was said to. For one thread.
+ * cheapest like one was said to, or at last what like ones cost in the mean. For one thread.
  */
 final class PriceQuestions {
   /** Steps that are asked for besides those of the first plan. */
@@ -35,7 +36,10 @@ final class PriceQuestions {
   /** Plans of lower bounds, after which what is not known is reckoned by what is. */
   private static final int MOST_PLANS_OF_BOUNDS = 3;
 
-  private final Map<String, Double> leastAnswer = new HashMap<>();
+  /** Plans, after which it is reckoned by the mean: what is always hoped for is never known. */
+  private static final int MOST_PLANS_OF_HOPE = 5;
+
+  private final Map<String, DoubleSummaryStatistics> answers = new HashMap<>();
   private int plans;
   private int rivals = FIRST_RIVALS;
   private double provenAtLeast;
@@ -65,7 +69,9 @@ final class PriceQuestions {
   }
 
   void answered(OpenPrice price, double cost) {
-    leastAnswer.merge(price.step().feature(), cost, Math::min);
+    answers
+        .computeIfAbsent(price.step().feature(), absent -> new DoubleSummaryStatistics())
+        .accept(cost);
   }
 
   /** Whether what is not known is reckoned by what is. */
@@ -75,8 +81,16 @@ final class PriceQuestions {
 
   /** Whether the price is what like steps cost, and not what its own member said. */
   boolean isReckoned(OpenPrice price) {
-    Double least = leastAnswer.get(price.step().feature());
-    return isReckoning() && least != null && price.cost() <= least;
+    OptionalDouble expected = expected(price.step().feature());
+    return isReckoning() && expected.isPresent() && price.cost() <= expected.getAsDouble();
+  }
+
+  private OptionalDouble expected(String feature) {
+    DoubleSummaryStatistics told = answers.get(feature);
+    if (told == null) {
+      return OptionalDouble.empty();
+    }
+    return OptionalDouble.of(plans < MOST_PLANS_OF_HOPE ? told.getMin() : told.getAverage());
   }
 
   /** The offers, with what counts for the prices that nobody asked for. */
@@ -85,14 +99,14 @@ final class PriceQuestions {
   }
 
   private PricedFeature reckoned(PricedFeature offer) {
-    Double least = leastAnswer.get(offer.type().name());
-    if (least == null || !(offer.price() instanceof Price.Asked asked)) {
+    OptionalDouble answer = expected(offer.type().name());
+    if (answer.isEmpty() || !(offer.price() instanceof Price.Asked asked)) {
       return offer;
     }
     Expression expected =
         new Expression.Arithmetic(
             Expression.Operator.MAX,
-            List.of(asked.atLeast(), new Expression.OfTerm(new Term.Number(least))));
+            List.of(asked.atLeast(), new Expression.OfTerm(new Term.Number(answer.getAsDouble()))));
     return new PricedFeature(
         offer.member(), offer.type(), new Price.Asked(expected), offer.exact());
   }

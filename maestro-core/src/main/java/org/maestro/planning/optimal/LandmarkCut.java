@@ -12,10 +12,24 @@ import org.maestro.planning.settings.SettingAnalysis;
  * The landmark-cut lower bound of the cost from a state to the goal (Helmert and Domshlak 2009),
  * over {@link RelaxedProblem}. Actions of one operator share its cost. Costs of propositions are
  * brought up to date after each cut instead of computed anew, and the cuts of a state serve those
- * after it. Not thread-safe.
+ * after it. Where there are many actions, the cuts are made of coarse grains of the costs first,
+ * then of finer ones, and the finest are left out. Not thread-safe.
  */
 public final class LandmarkCut {
   private static final double NOTHING = 1e-9;
+
+  /**
+   * Prices that differ a little make many cuts that bring little; among so many actions each takes
+   * long.
+   */
+  private static final int MANY_ACTIONS = 10_000;
+
+  /** In what the goal costs at least at first. */
+  private static final int FIRST_GRAINS = 32;
+
+  private static final int FINER = 4;
+
+  private static final int ROUNDS = 3;
 
   /**
    * A disjunctive action landmark: every plan pays one of these.
@@ -26,6 +40,7 @@ public final class LandmarkCut {
   record Cut(int[] payers, double cost) {}
 
   private final RelaxedProblem relaxed;
+  private final int mostExact;
   private final int[] payers;
   private final int[][] paidBy;
   private final int[][] preconditions;
@@ -58,7 +73,15 @@ public final class LandmarkCut {
   private long work;
 
   public LandmarkCut(RelaxedProblem relaxed) {
+    this(relaxed, MANY_ACTIONS);
+  }
+
+  /**
+   * @param mostExact with more actions than these the cuts are made of whole grains
+   */
+  LandmarkCut(RelaxedProblem relaxed, int mostExact) {
     this.relaxed = relaxed;
+    this.mostExact = mostExact;
     List<RelaxedProblem.Action> actions = relaxed.actions();
     int propositions = relaxed.propositionCount();
     payers = actions.stream().mapToInt(RelaxedProblem.Action::payer).toArray();
@@ -122,6 +145,39 @@ public final class LandmarkCut {
       total += cut.cost();
     }
     computeMaximumCosts(truths, costs);
+    if (open.length <= mostExact) {
+      return total + total(truths, costs);
+    }
+    double grain = value[goal] / FIRST_GRAINS;
+    for (int round = 0;
+        round < ROUNDS && value[goal] > 0 && value[goal] < Double.POSITIVE_INFINITY;
+        round++) {
+      double[] fine = withoutFine(costs, grain);
+      computeMaximumCosts(truths, costs);
+      total += total(truths, costs);
+      Arrays.setAll(costs, payer -> costs[payer] + fine[payer]);
+      computeMaximumCosts(truths, costs);
+      grain /= FINER;
+    }
+    return value[goal] == Double.POSITIVE_INFINITY ? value[goal] : total;
+  }
+
+  /** Leaves of the costs whole grains, and returns the rest. */
+  private static double[] withoutFine(double[] costs, double grain) {
+    double[] fine = new double[costs.length];
+    for (int payer = 0; payer < costs.length; payer++) {
+      if (costs[payer] < Double.POSITIVE_INFINITY) {
+        double whole = Math.floor(costs[payer] / grain) * grain;
+        fine[payer] = costs[payer] - whole;
+        costs[payer] = whole;
+      }
+    }
+    return fine;
+  }
+
+  /** What the cuts cost that are left to be made. */
+  private double total(boolean[] truths, double[] costs) {
+    double total = 0;
     while (true) {
       if (value[goal] == Double.POSITIVE_INFINITY) {
         return Double.POSITIVE_INFINITY;

@@ -19,6 +19,7 @@ import org.maestro.planning.problem.GroundProblem;
 import org.maestro.planning.problem.NumberVector;
 import org.maestro.planning.problem.Operator;
 import org.maestro.planning.problem.State;
+import org.maestro.planning.problem.Variable;
 import org.maestro.planning.problem.VariableValue;
 import org.maestro.planning.settings.Achievement;
 import org.maestro.planning.settings.SettingAnalysis;
@@ -52,6 +53,12 @@ public final class RelaxedProblem {
   /** Where a thing is has as many values as a house has places, and far more changes. */
   private final Map<VariableValue, List<OperatorChange>> changesTo = new HashMap<>();
 
+  /** Of each variable the values that it is given. */
+  private final Map<Variable, Set<Integer>> valuesPut = new HashMap<>();
+
+  /** For what a variable is given the proposition that it was. */
+  private final Map<VariableValue, Integer> arrivals = new HashMap<>();
+
   private final List<Action> actions = new ArrayList<>();
   private final int[][] needed;
   private final ThresholdPrices prices;
@@ -78,6 +85,11 @@ public final class RelaxedProblem {
               .computeIfAbsent(
                   new VariableValue(of.variable(), of.value()), absent -> new ArrayList<>())
               .add(candidate);
+        }
+        if (change instanceof Change.Put put) {
+          valuesPut
+              .computeIfAbsent(put.variable(), absent -> new LinkedHashSet<>())
+              .add(put.value());
         }
       }
     }
@@ -164,6 +176,11 @@ public final class RelaxedProblem {
           .forEach(candidate -> addAchiever(proposition, leaf, candidate));
       return;
     }
+    if (leaf instanceof Condition.Literal literal
+        && literal.question() == Condition.Question.IS_NOT) {
+      addDepartures(proposition, literal);
+      return;
+    }
     for (Object target : targets(leaf)) {
       for (OperatorChange candidate : changesOf.getOrDefault(target, List.of())) {
         if (!(ofSum && candidate.change() instanceof Change.Adjust)) {
@@ -171,6 +188,38 @@ public final class RelaxedProblem {
         }
       }
     }
+  }
+
+  /**
+   * A thing is not in one hand any more wherever else it is brought: that it came there stands
+   * between, so that not each change of its place stands beside each hand.
+   */
+  private void addDepartures(int proposition, Condition.Literal literal) {
+    VariableValue left = new VariableValue(literal.variable(), literal.value());
+    changesTo.getOrDefault(left, List.of()).stream()
+        .filter(candidate -> candidate.change() instanceof Change.Remove)
+        .forEach(candidate -> addAchiever(proposition, literal, candidate));
+    for (int value : valuesPut.getOrDefault(literal.variable(), Set.of())) {
+      if (value != literal.value()) {
+        int[] arrived = {arrival(new VariableValue(literal.variable(), value))};
+        actions.add(new Action(FREE, arrived, new int[] {proposition}));
+      }
+    }
+  }
+
+  private int arrival(VariableValue place) {
+    Integer known = arrivals.get(place);
+    if (known != null) {
+      return known;
+    }
+    int arrival = auxiliary();
+    arrivals.put(place, arrival);
+    Condition arrived =
+        new Condition.Literal(place.variable(), place.value(), Condition.Question.IS);
+    changesTo.getOrDefault(place, List.of()).stream()
+        .filter(candidate -> candidate.change() instanceof Change.Put)
+        .forEach(candidate -> addAchiever(arrival, arrived, candidate));
+    return arrival;
   }
 
   private void addAchiever(int proposition, Condition leaf, OperatorChange candidate) {

@@ -5,12 +5,22 @@ import org.maestro.planning.ground.GroundingBudget;
 
 /**
  * The landmark-cut lower bound (Helmert and Domshlak 2009) over a {@link SearchTask}, with costs in
- * whole units. Sources may be added for each estimate: sets of facts that are had for a price, as
- * states of leaves are. Values are brought up to date after each cut instead of computed anew. Not
- * thread-safe.
+ * whole units; where there are many operators, the cuts are made of coarse grains of the costs
+ * first, then of finer ones. Sources may be added for each estimate: sets of facts that are had for
+ * a price, as states of leaves are. Values are brought up to date after each cut instead of
+ * computed anew. Not thread-safe.
  */
 final class LandmarkCuts {
   static final long INFINITE = Long.MAX_VALUE / 4;
+
+  /** Of so many, cuts of small parts of the costs take longer than they bring. */
+  private static final int MANY_OPERATORS = 2_000;
+
+  /** In what the goal costs at least at first. */
+  private static final int FIRST_GRAINS = 32;
+
+  private static final int FINER = 4;
+  private static final int ROUNDS = 3;
 
   private final SearchTask task;
   private final long[] costs;
@@ -128,6 +138,40 @@ final class LandmarkCuts {
     rest[costs.length] = 0;
     initial[initialCount++] = truth;
     computeValues();
+    if (count <= MANY_OPERATORS) {
+      return total(enough);
+    }
+    long total = 0;
+    long grain = Math.max(1, value[goal] / FIRST_GRAINS);
+    for (int round = 0; round < ROUNDS && isWorthMore(total, enough); round++) {
+      long[] fine = withoutFine(grain);
+      computeValues();
+      total += total(enough - total);
+      for (int o = 0; o < count; o++) {
+        rest[o] += fine[o];
+      }
+      computeValues();
+      grain = Math.max(1, grain / FINER);
+    }
+    return value[goal] >= INFINITE ? INFINITE : total;
+  }
+
+  private boolean isWorthMore(long total, long enough) {
+    return value[goal] > 0 && value[goal] < INFINITE && total < enough;
+  }
+
+  /** Leaves of the costs whole grains, and returns the rest. */
+  private long[] withoutFine(long grain) {
+    long[] fine = new long[count];
+    for (int o = 0; o < count; o++) {
+      fine[o] = rest[o] % grain;
+      rest[o] -= fine[o];
+    }
+    return fine;
+  }
+
+  /** What the cuts cost that are left to be made. */
+  private long total(long enough) {
     long total = 0;
     while (true) {
       if (value[goal] >= INFINITE) {

@@ -121,6 +121,18 @@ class PriceQuestionsTest {
   }
 
   @Test
+  void afterTwoMoreItIsReckonedByTheMeanAnswer() {
+    PricedFeature offer = new PricedFeature("tulip", MOVE, MOVE.cost(), Map.of());
+    for (double answer : new double[] {2, 3, 3, 3, 4}) {
+      questions.next(plan(answer, false, List.of()));
+      questions.answered(rival("rose", 0), answer);
+    }
+
+    assertThat(questions.reckoned(List.of(offer)).get(0).price())
+        .isEqualTo(new Price.Asked(SlParser.expression("(max 0.5 3)")));
+  }
+
+  @Test
   void whatRestsOnReckonedPricesIsNotCalledTheBest() {
     for (double cost : new double[] {0.5, 0.6, 0.7}) {
       assertThat(questions.proven(plan(cost, true, List.of())).atLeast()).isEmpty();

@@ -24,6 +24,9 @@ class LandmarkCutTest {
   private static final int STEPS = 3;
   private static final double ROUNDING = 1e-6;
 
+  /** Ties are cut otherwise when the costs are. */
+  private static final double LEAST_SHARE = 0.7;
+
   @Property(tries = 150)
   void arbitraryFeatures(@ForAll Random random) {
     walk(Everything.ground(OptimalityPropertyTest.puzzleTask(random)), random);
@@ -34,8 +37,31 @@ class LandmarkCutTest {
     walk(new Grounder(OptimalityPropertyTest.homeTask(random)).ground(), random);
   }
 
+  @Property(tries = 150)
+  void cutsOfGrains(@ForAll Random random) {
+    GroundProblem problem = Everything.ground(OptimalityPropertyTest.puzzleTask(random));
+    walk(problem, new LandmarkCut(new RelaxedProblem(problem), 0), random);
+  }
+
+  @Property(tries = 150)
+  void littleIsLeftOutOfGrains(@ForAll Random random) {
+    GroundProblem problem = Everything.ground(OptimalityPropertyTest.puzzleTask(random));
+    RelaxedProblem relaxed = new RelaxedProblem(problem);
+    LandmarkCut ofGrains = new LandmarkCut(relaxed, 0);
+    double all = new LandmarkCut(relaxed).estimate(problem.initial());
+    double most = ofGrains.estimate(problem.initial());
+    Statistics.label("there is a plan").collect(Double.isFinite(all));
+    assertThat(Double.isFinite(most)).isEqualTo(Double.isFinite(all));
+    if (Double.isFinite(all)) {
+      assertThat(most).isGreaterThanOrEqualTo(LEAST_SHARE * all);
+    }
+  }
+
   private static void walk(GroundProblem problem, Random random) {
-    LandmarkCut heuristic = new LandmarkCut(new RelaxedProblem(problem));
+    walk(problem, new LandmarkCut(new RelaxedProblem(problem)), random);
+  }
+
+  private static void walk(GroundProblem problem, LandmarkCut heuristic, Random random) {
     State state = problem.initial();
     double estimate = heuristic.estimate(state);
     for (int step = 0; step < STEPS && Double.isFinite(estimate); step++) {
