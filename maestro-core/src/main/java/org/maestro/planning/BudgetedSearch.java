@@ -44,16 +44,17 @@ final class BudgetedSearch {
    */
   private static final double GROWTH_UNTIL_IN_REACH = 1.05;
 
-  private static final int MANY_OPERATORS = 4_000;
-
-  /** To make more of them ground takes many seconds. */
-  private static final int MOST_OPERATORS = 40_000;
-
   /** So that rounding does not keep it where it is. */
   private static final double LEAST_GROWTH = 1.02;
 
   /** Where each round takes a second. */
   private static final double LEAST_GROWTH_OF_MUCH = 1.1;
+
+  /** A proof which plan is the cheapest takes longer among them than anybody waits. */
+  private static final int MANY_OPERATORS = 4_000;
+
+  /** To make more of them ground takes many seconds. */
+  private static final int MOST_OPERATORS = 40_000;
 
   /** For plans that begin a search elsewhere: they are worth less time. */
   private static final int MOST_STATES_BESIDE = 1_000;
@@ -170,7 +171,7 @@ final class BudgetedSearch {
         if (plan.isPresent()) {
           return plan.get();
         }
-        if (!mayGrow(ground)) {
+        if (!isMuch(round.problem()) || !mayGrow(ground)) {
           return somePlan(round.problem(), least(ground));
         }
       } else if (round.outcome() instanceof OptimalSearch.Outcome.TooDear tooDear) {
@@ -207,10 +208,8 @@ final class BudgetedSearch {
         && Sought.of(problem).isEmpty();
   }
 
-  private boolean mayGrow(Ground ground) {
-    return isMuch(ground.problem())
-        && ground.problem().operators().size() < MOST_OPERATORS
-        && Double.isFinite(ground.beyond());
+  private static boolean mayGrow(Ground ground) {
+    return ground.problem().operators().size() < MOST_OPERATORS && Double.isFinite(ground.beyond());
   }
 
   /** Empty where the problem is small, or no one can do it alone. */

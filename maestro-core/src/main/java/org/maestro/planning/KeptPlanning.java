@@ -148,7 +148,7 @@ final class KeptPlanning {
       return 0;
     }
     return unproven.isPresent()
-        ? lastBudget
+        ? Math.min(lastBudget, lastCost)
         : rest.map(this::withRest).orElseGet(this::withoutRest);
   }
 
@@ -161,7 +161,7 @@ final class KeptPlanning {
   }
 
   /** A plan that is not proven may be dearer than the rest of the last one. */
-  private static PlanningResult atLeastAsGood(PlanningResult result, Optional<Plan> rest) {
+  private PlanningResult atLeastAsGood(PlanningResult result, Optional<Plan> rest) {
     return result instanceof PlanningResult.Found found && mayBeBettered(found)
         ? rest.filter(old -> old.cost() <= found.plan().cost() + SAME_COST)
             .map(found::with)
@@ -169,8 +169,10 @@ final class KeptPlanning {
         : result;
   }
 
-  private static boolean mayBeBettered(PlanningResult.Found found) {
-    return found.atLeast().isPresent() && found.plan().searches().isEmpty();
+  private boolean mayBeBettered(PlanningResult.Found found) {
+    return task.objective() == Objective.CHEAPEST
+        && found.atLeast().isPresent()
+        && found.plan().searches().isEmpty();
   }
 
   /** Where the old plan is of no use, one is likely to cost some more than what was searched. */

@@ -40,6 +40,10 @@ final class PriceQuestions {
   private static final int MOST_PLANS_OF_HOPE = 5;
 
   private final Map<String, DoubleSummaryStatistics> answers = new HashMap<>();
+
+  /** What counted for a feature when it was planned last: answers that come in change the rest. */
+  private final Map<String, Double> counted = new HashMap<>();
+
   private int plans;
   private int rivals = FIRST_RIVALS;
   private double provenAtLeast;
@@ -81,32 +85,30 @@ final class PriceQuestions {
 
   /** Whether the price is what like steps cost, and not what its own member said. */
   boolean isReckoned(OpenPrice price) {
-    OptionalDouble expected = expected(price.step().feature());
-    return isReckoning() && expected.isPresent() && price.cost() <= expected.getAsDouble();
-  }
-
-  private OptionalDouble expected(String feature) {
-    DoubleSummaryStatistics told = answers.get(feature);
-    if (told == null) {
-      return OptionalDouble.empty();
-    }
-    return OptionalDouble.of(plans < MOST_PLANS_OF_HOPE ? told.getMin() : told.getAverage());
+    Double expected = counted.get(price.step().feature());
+    return expected != null && price.cost() <= expected;
   }
 
   /** The offers, with what counts for the prices that nobody asked for. */
   List<PricedFeature> reckoned(List<PricedFeature> offers) {
-    return isReckoning() ? offers.stream().map(this::reckoned).toList() : offers;
+    if (!isReckoning()) {
+      return offers;
+    }
+    answers.forEach(
+        (feature, told) ->
+            counted.put(feature, plans < MOST_PLANS_OF_HOPE ? told.getMin() : told.getAverage()));
+    return offers.stream().map(this::reckoned).toList();
   }
 
   private PricedFeature reckoned(PricedFeature offer) {
-    OptionalDouble answer = expected(offer.type().name());
-    if (answer.isEmpty() || !(offer.price() instanceof Price.Asked asked)) {
+    Double answer = counted.get(offer.type().name());
+    if (answer == null || !(offer.price() instanceof Price.Asked asked)) {
       return offer;
     }
     Expression expected =
         new Expression.Arithmetic(
             Expression.Operator.MAX,
-            List.of(asked.atLeast(), new Expression.OfTerm(new Term.Number(answer.getAsDouble()))));
+            List.of(asked.atLeast(), new Expression.OfTerm(new Term.Number(answer))));
     return new PricedFeature(
         offer.member(), offer.type(), new Price.Asked(expected), offer.exact());
   }

@@ -133,6 +133,20 @@ class PriceQuestionsTest {
   }
 
   @Test
+  void whatWasReckonedIsNobodysWordThoughAnswersComeIn() {
+    for (double answer : new double[] {2, 3, 4}) {
+      questions.next(plan(answer, false, List.of()));
+      questions.answered(rival("rose", 0), answer);
+    }
+    questions.reckoned(List.of());
+    OpenPrice reckoned = new OpenPrice(new StepKey("tulip", "move", to(1)), MOVE, 2, 1);
+
+    questions.answered(rival("daisy", 0), 1);
+
+    assertThat(questions.isReckoned(reckoned)).isTrue();
+  }
+
+  @Test
   void whatRestsOnReckonedPricesIsNotCalledTheBest() {
     for (double cost : new double[] {0.5, 0.6, 0.7}) {
       assertThat(questions.proven(plan(cost, true, List.of())).atLeast()).isEmpty();
